@@ -12,7 +12,7 @@ interface Node {
   [key: string]: unknown;
 }
 
-/** What a file says: texts inside `t`, `counted` and `say`, and others that have the look of one. */
+/** What a file says: texts inside `t`, `counted` and `some`, and others that have the look of one. */
 export interface Said {
   texts: string[];
   bare: string[];
@@ -85,12 +85,9 @@ function translated(node: Node, said: Said): Node[] {
     said.texts.push(wordsOf(quasi) ?? '');
     return (quasi['expressions'] as Node[]).filter(isNode);
   }
-  if (node.type !== 'CallExpression' || !['t', 'counted', 'say'].includes(String(name))) return children;
-  const [, ...rest] = node['arguments'] as Node[];
-  const taken = name === 't' ? (node['arguments'] as Node[]) : name === 'counted' ? rest : rest.slice(1);
-  const texts = taken.map(wordsOf).filter((text) => text !== null);
-  said.texts.push(...texts);
-  // The plural that `counted` makes.
-  if (name !== 't' && texts.length === 1) said.texts.push(`${texts[0]}s`);
+  if (node.type !== 'CallExpression' || !['t', 'counted', 'some'].includes(String(name))) return children;
+  const given = node['arguments'] as Node[];
+  const taken = name === 't' ? given.slice(0, 1) : given.slice(1, 3);
+  said.texts.push(...taken.map(wordsOf).filter((text) => text !== null));
   return children.filter((child) => wordsOf(child) === null || !taken.includes(child));
 }

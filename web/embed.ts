@@ -189,7 +189,7 @@ export class EmbeddedHeatwalk extends EventTarget {
 
   /** Returns the function that ends this. */
   on<E extends keyof Events>(event: E, listener: (detail: Events[E]) => void): () => void {
-    const heard = (told: Event) => listener((told as CustomEvent<Events[E]>).detail);
+    const heard = (dispatched: Event) => listener((dispatched as CustomEvent<Events[E]>).detail);
     this.addEventListener(event, heard);
     return () => this.removeEventListener(event, heard);
   }

@@ -3,11 +3,12 @@ import './style/overlay.css';
 import './style/panel.css';
 // Last: for narrow windows, reduced motion and forced colours it overrides the others.
 import './style/windows.css';
+import { detailsOf, messageOf } from './error';
 import { Address } from './session/address';
 import { CrowdWalk } from './session/crowd';
 import { Frames } from './session/frames';
 import { GroundEditor } from './session/ground';
-import { type Given, Opener } from './session/opener';
+import { type InputFiles, Opener } from './session/opener';
 import { Overlays } from './session/overlays';
 import { Session } from './session/session';
 import { keepForOffline } from './offline/register';
@@ -67,9 +68,9 @@ const wishes = new URLSearchParams(location.search);
 const view = new View(stage, wishes.get('gpu') === 'webgl');
 view.drawsAllPixels = wishes.get('resolution') === 'full';
 const session = new Session(scene, view);
-const openGiven = (given: Given) => void opener.files(given);
-const dialogue = fileDialogue(openGiven);
-const folders = folderDialogue(openGiven);
+const openFiles = (input: InputFiles) => void opener.files(input);
+const dialogue = fileDialogue(openFiles);
+const folders = folderDialogue(openFiles);
 const messages = new Messages(dialogue.choose);
 const ground = new GroundEditor(session);
 const opener = new Opener(session, messages, ground);
@@ -93,8 +94,9 @@ const frames = new Frames(session, crowd, () => {
   corners.follow();
 });
 const cameraMoved = () => frames.cameraMoved();
+const fail = session.fail.bind(session);
 const help = () => {
-  import('./ui/help/dialog').then(({ openHelp }) => openHelp(panel), session.fail.bind(session));
+  import('./ui/help/dialog').then(({ openHelp }) => openHelp(panel, fail), fail);
 };
 
 const brush = new BrushInput(session, ground);
@@ -121,7 +123,7 @@ const keys = new Keys({
 });
 
 followPaste(opener);
-followLaunches(openGiven);
+followLaunches(openFiles);
 
 const bar = toolbar(session, tool);
 page.append(
@@ -136,7 +138,7 @@ page.append(
   readout.element,
   keys.reticle,
   announcer(session),
-  dropTarget(openGiven, (dragged) => void opener.address(dragged)),
+  dropTarget(openFiles, (dragged) => void opener.address(dragged)),
   dialogue.element,
   folders.element,
 );
@@ -182,16 +184,16 @@ session.turntable.watch((turns, turned) => {
 followTheme(view);
 view.trouble.watch((trouble) => messages.blind(trouble, () => void view.start()));
 view.failure.watch((failure) => {
-  if (failure) messages.fail(failure.message, failure.stack ?? '');
+  if (failure) messages.fail(messageOf(failure), detailsOf(failure));
 });
 session.failure.watch((failure) => {
   if (!failure) return;
-  messages.fail(failure.message, failure.stack ?? '', opener.remedy(failure));
+  messages.fail(messageOf(failure), detailsOf(failure), opener.remedy(failure));
 });
 
 /** What nobody has caught: a handler has failed, and the page goes on. */
 const unforeseen = (error: unknown) => {
-  if (error instanceof Error) messages.fail(t`Something went wrong: ${error.message}`, error.stack ?? '');
+  if (error instanceof Error) messages.fail(t`Something went wrong: ${messageOf(error)}`, detailsOf(error));
 };
 addEventListener('error', ({ error }) => unforeseen(error));
 addEventListener('unhandledrejection', ({ reason }) => unforeseen(reason));
@@ -211,7 +213,7 @@ expose(
     await measuring.settled();
     await comparing.settled();
   },
-  () => measuring.told,
+  () => measuring.figures,
 );
 void keepForOffline(() => window.heatwalk.settled());
 // Only in a frame is there anybody to answer.

@@ -29,8 +29,8 @@ export interface GroundChange {
   highest: number;
 }
 
-/** A file that the user gave. `path` begins with the folder that was given, if any: `model/scene.bin`. */
-export interface GivenFile {
+/** A file of the user. `path` begins with the folder that was opened, if any: `model/scene.bin`. */
+export interface InputFile {
   path: string;
   content: Blob;
 }
@@ -40,7 +40,7 @@ export interface GivenFile {
  * #V × 3, `triangles` #F × 3. `tetrahedra`: a shape of these.
  */
 export type MeshInput =
-  | { kind: 'files'; mesh: string; files: readonly GivenFile[] }
+  | { kind: 'files'; mesh: string; files: readonly InputFile[] }
   | { kind: 'archive'; mesh: string; archive: Blob }
   | { kind: 'shape'; shape: string }
   | { kind: 'tetrahedra'; shape: string }
@@ -52,9 +52,9 @@ export type Plain<T> = { [Key in keyof T as T[Key] extends (...given: never[]) =
 export type { EdgeKind, FaceField, Parameters, PathKind } from './wasm/contract';
 export type InnerCut = interior.InnerCut;
 
-/** What there must be room for beside a mesh. */
-export interface Room {
-  /** Windows of each half-edge; 0 where the mesh is factored, which looks for room itself. */
+/** What must fit into memory beside a mesh. */
+export interface MemoryBudget {
+  /** Windows of each half-edge; 0 where the mesh is factored, which checks its own memory. */
   windows: number;
   /** Most memory, in MiB; that of the browser where it is chosen automatically. */
   memory: Parameters['memory'];
@@ -317,14 +317,14 @@ export interface SolverApi {
   /** Solves a small shape and forgets it, so that the browser has optimised the solver's code before a mesh comes. */
   warmUp(): Promise<void>;
   /**
-   * Reads and welds a mesh, the only one of this worker, where there is room for it. `parts`: the indices to walk on, empty
-   * for all. `up`: the axis that points up where it is drawn. `triangles`: more than so many are simplified to them, as one part
-   * without materials. `fill`: what the surface encloses is filled with about so many tetrahedra.
+   * Reads and welds a mesh, the only one of this worker, where it fits into memory. `parts`: the indices to walk on, empty
+   * for all. `up`: the axis that points up where it is drawn. `triangles`: a mesh of more is simplified to this number, as one part
+   * without materials. `fill`: what the surface encloses is filled with about this number of tetrahedra.
    */
   open(
     input: MeshInput,
     parts: number[],
-    room: Room,
+    budget: MemoryBudget,
     progress: ProgressListener,
     up?: Up | typeof AUTOMATIC,
     triangles?: number | null,
@@ -366,7 +366,7 @@ export interface SolverApi {
    * quick field was asked for before this one was begun.
    */
   solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved | null>;
-  /** By so many windows of each half-edge, with or without factors. Quick ones are overtaken as those by heat are. */
+  /** By `windows` of each half-edge, with or without factors. Quick ones are overtaken as those by heat are. */
   propagate(sources: Source[], windows: number, quick: boolean, request: PathRequest | null): Promise<Solved | null>;
   /**
    * One step of making the last field exact, from the sources outward: exact inside, as it was beyond. Takes 100 to

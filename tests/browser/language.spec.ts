@@ -52,13 +52,50 @@ test.describe('in a browser that wants French', () => {
   });
 });
 
-test('French is chosen in the help, and stays', async ({ heatwalk, page }) => {
-  await heatwalk.open('#m=torus');
-  await expect(page.locator('html')).toHaveAttribute('lang', 'en');
+test('French is chosen in the help at once: the scene, undo, what is open and the help itself stay', async ({
+  heatwalk,
+  page,
+}) => {
+  await heatwalk.open('#m=torus&method=auto');
+  await heatwalk.settled();
+  await page.locator('#section-numbers > summary').click();
+  await page.getByRole('button', { name: 'Add', exact: true }).first().click();
+  await page.evaluate(() => Object.assign(window, { isSamePage: true }));
+  const scene = () => page.evaluate(() => JSON.stringify([window.heatwalk.scene, window.heatwalk.camera]));
+  await page.mouse.click(...(await heatwalk.pixelOnModel(0, 0.25)));
+  await expect(page.getByRole('button', { name: 'Undo', exact: true })).toBeEnabled();
+  await heatwalk.settled();
+  const before = await scene();
+  const solves = await page.evaluate(() => window.heatwalk.solves);
+  // What was said before, too.
+  await heatwalk.drop([['leer.txt', 'nothing']]);
+  await expect(page.getByText('No mesh found in leer.txt')).toBeVisible();
+
   await page.getByRole('button', { name: 'Help', exact: true }).click();
   await page.getByRole('combobox', { name: 'Language' }).selectOption('fr');
-  await page.getByRole('button', { name: 'Reload the page' }).click();
   await expect(page.locator(titles).first()).toHaveText('Scène');
+  await expect(page.locator('html')).toHaveAttribute('lang', 'fr');
+  await expect(page.getByRole('dialog', { name: 'Aide' })).toContainText('Tourner autour');
+  await expect(page.getByRole('dialog').locator('kbd', { hasText: 'Échap' })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(page.getByText('Aucun maillage trouvé dans leer.txt')).toBeVisible();
+  await expect(page.locator('#section-numbers')).toContainText(/Distance maximale\d,\d+ unités/);
+  await expect(page.locator('#section-numbers')).toHaveAttribute('open');
+  await expect(page.getByRole('button', { name: 'Ajouter', exact: true }).first()).toHaveAttribute(
+    'aria-pressed',
+    'true',
+  );
+  // Nothing of the page is English but names: every text that is shown in both languages was written again.
+  const english = await page.evaluate(() =>
+    document.body.textContent?.match(/Keyboard|Maximum distance|Save image|Stripe width/g),
+  );
+  expect(english).toBeNull();
+  expect(await scene()).toBe(before);
+  expect(await page.evaluate(() => [window.heatwalk.solves, 'isSamePage' in window])).toEqual([solves, true]);
+  await page.getByRole('button', { name: 'Annuler', exact: true }).click();
+  await heatwalk.settled();
+  expect(await scene()).not.toBe(before);
+
   expect(page.url()).toContain('m=torus');
   await page.reload();
   await expect(page.locator('html')).toHaveAttribute('lang', 'fr');

@@ -83,16 +83,22 @@ test('powers of ten stand at equal steps, and 0 on the lowest', () => {
   expect(place(1e-9)).toBe(0);
   expect(place(0)).toBe(0);
   expect(place(1e-6)).toBeCloseTo(1 / 3, 12);
-  expect(ticks.map(({ label }) => label)).toEqual(['10⁰', '10⁻²', '10⁻⁴', '10⁻⁶', '10⁻⁸']);
+  expect(ticks.map(({ label }) => String(label))).toEqual(['10⁰', '10⁻²', '10⁻⁴', '10⁻⁶', '10⁻⁸']);
 });
 
 test('a fitted axis has what values take, with more steps where these are few', () => {
   const { place, ticks } = fittedAxis([0.011, 0.09]);
-  expect(ticks.map(({ label }) => label)).toEqual(['0.01', '0.02', '0.05', '0.1']);
-  expect(fittedAxis([0.2, 0.4]).ticks.map(({ label }) => label)).toEqual(['0.2', '0.3', '0.4']);
+  expect(ticks.map(({ label }) => String(label))).toEqual(['0.01', '0.02', '0.05', '0.1']);
+  expect(fittedAxis([0.2, 0.4]).ticks.map(({ label }) => String(label))).toEqual(['0.2', '0.3', '0.4']);
   expect(place(0.011)).toBeCloseTo(1 - place(0.09), 12);
   expect(place(0.011)).toBeGreaterThan(0);
   expect(place(Math.sqrt(0.011 * 0.09))).toBeCloseTo(0.5, 12);
-  expect(fittedAxis([1e-7, 1e-3]).ticks.map(({ label }) => label)).toEqual(['10⁻⁷', '10⁻⁶', '10⁻⁵', '10⁻⁴', '0.001']);
-  expect(fittedAxis([3]).ticks.map(({ label }) => label)).toEqual(['2', '3', '4', '5']);
+  expect(fittedAxis([1e-7, 1e-3]).ticks.map(({ label }) => String(label))).toEqual([
+    '10⁻⁷',
+    '10⁻⁶',
+    '10⁻⁵',
+    '10⁻⁴',
+    '0.001',
+  ]);
+  expect(fittedAxis([3]).ticks.map(({ label }) => String(label))).toEqual(['2', '3', '4', '5']);
 });

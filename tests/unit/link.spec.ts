@@ -287,7 +287,7 @@ for (const [broken, key] of [
     const decoded = decodeLink(`#v=1&m=bunny&${broken}`, startOf);
     expect(decoded.state).toEqual(START);
     expect(decoded.notices).toHaveLength(1);
-    expect(decoded.notices[0]).toContain(`${key}=`);
+    expect(String(decoded.notices[0])).toContain(`${key}=`);
   });
 }
 
@@ -300,7 +300,7 @@ test('a fragment without an existing mesh is not a scene', () => {
   expect(decodeLink('#v=1&s=3', startOf)).toEqual({ state: null, notices: [], unknown: [] });
   const { state, notices } = decodeLink('#v=1&m=unicorn', startOf);
   expect(state).toBeNull();
-  expect(notices).toEqual(['The preset of this link does not exist; the first preset is shown.']);
+  expect(notices.map(String)).toEqual(['The preset of this link does not exist; the first preset is shown.']);
 });
 
 const ADDRESS = 'https://models.example/a%20b/cow.obj?token=a+b&part=%231';
@@ -335,6 +335,6 @@ for (const model of [
     const { state, notices } = decodeLink(`#v=1&model=${encodeURIComponent(model)}`, startOf);
     expect(state).toBeNull();
     expect(notices).toHaveLength(1);
-    expect(notices[0]).toContain(`model=${model} is no http or https address`);
+    expect(String(notices[0])).toContain(`model=${model} is no http or https address`);
   });
 }

@@ -93,12 +93,12 @@ test('undo takes tapes and the scale back', () => {
 
 test('a known length scales lengths, areas and volumes', () => {
   const unit = unitOf({ unit: 'm', scale: 2 }, { unit: '', unitAssumed: false });
-  expect(measure(3, unit)).toBe('6 m');
-  expect(volume(3, unit)).toBe('24 m³');
+  expect(String(measure(3, unit))).toBe('6 m');
+  expect(String(volume(3, unit))).toBe('24 m³');
   const ring = measured({ tape: { ...tape(1, 2, 3), closed: true }, enclosure: { kind: 'sides', area: 3 } });
-  expect(enclosureWords(ring, unit)).toBe('Area enclosed: 12 m².');
-  expect(areaLabel(ring, unit)).toBe('area 12 m²');
-  expect(areaLabel(ring, { ...unit, symbol: '' })).toBe('area 12');
+  expect(String(enclosureWords(ring, unit))).toBe('Area enclosed: 12 m².');
+  expect(String(areaLabel(ring, unit))).toBe('area 12 m²');
+  expect(String(areaLabel(ring, { ...unit, symbol: '' }))).toBe('area 12');
 });
 
 test('a sum is as certain as its least certain leg', () => {
@@ -106,23 +106,23 @@ test('a sum is as certain as its least certain leg', () => {
   expect([lengthOf(chain), stateOf(chain)]).toEqual([6, 'estimated']);
   const torn = measured({ legs: [...chain.legs, { state: 'none', leg: null, straight: 1 }] });
   expect([lengthOf(torn), stateOf(torn)]).toEqual([NaN, 'none']);
-  expect(lengthWords(6, 'estimated', METRES)).toBe('≈ 6 m');
-  expect(lengthWords(6, 'exact', METRES)).toBe('6 m');
-  expect(lengthWords(NaN, 'none', METRES)).toBe('not connected');
+  expect(String(lengthWords(6, 'estimated', METRES))).toBe('≈ 6 m');
+  expect(String(lengthWords(6, 'exact', METRES))).toBe('6 m');
+  expect(String(lengthWords(NaN, 'none', METRES))).toBe('not connected');
 });
 
 test('a tape that encloses no area says why', () => {
   const ring = { tape: { ...tape(1, 2, 3), closed: true } };
   const words = (kind: 'whole' | 'crossed' | 'sideless') =>
     enclosureWords(measured({ ...ring, enclosure: { kind, area: 0 } }), METRES);
-  expect(words('whole')).toContain('does not part');
-  expect(words('crossed')).toContain('crosses itself');
-  expect(words('sideless')).toContain('no two sides');
+  expect(String(words('whole'))).toContain('does not part');
+  expect(String(words('crossed'))).toContain('crosses itself');
+  expect(String(words('sideless'))).toContain('no two sides');
   const lines = new Float32Array();
   const path = { points: lines, normals: lines, segmentCosts: lines, drawnLength: 2, length: 2, cost: 2 };
   const within: Leg = { ...path, straight: 2 };
   const inside = measured({ ...ring, legs: [{ state: 'exact', leg: within, straight: 2 }] });
-  expect(enclosureWords(inside, METRES)).toContain('through the inside');
+  expect(String(enclosureWords(inside, METRES))).toContain('through the inside');
   expect(enclosureWords({ ...inside, tape: tape(1, 2, 3) }, METRES)).toBeNull();
   expect(enclosureWords(measured(), METRES)).toBeNull();
 });

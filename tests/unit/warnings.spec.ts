@@ -13,7 +13,7 @@ test('what was left out of a file is told with its place, before what is missing
       { code: 'trailing', count: 1, place: 'byte 134' },
     ],
   } as unknown as OpenedMesh;
-  expect(absentSentence(mesh)).toBe(
+  expect(String(absentSentence(mesh))).toBe(
     'a.obj, line 7: 2 points or lines left out. a.obj, byte 134: there is more behind the end; it was left out. ' +
       'a.obj refers to a.mtl, which was not given.',
   );

@@ -7,7 +7,7 @@ export function addressIn(text: string): string | null {
   if (!/^https?:\/\/\S+$/i.test(trimmed) || !URL.canParse(trimmed)) return null;
   const url = new URL(trimmed);
   url.hash = '';
-  // A fetch refuses what names a user.
+  // A fetch rejects an address with a user name.
   return url.username === '' && url.password === '' ? url.href : null;
 }
 

@@ -1,19 +1,20 @@
-/** What was given together: files, or an archive of them. */
-import type { GivenFile, MeshInput } from '../protocol';
+/** The meshes of one input: files, or an archive of them. */
+import { Failure } from '../error';
+import type { InputFile, MeshInput } from '../protocol';
 import { formats, fileName, isArchive, meshesAmong } from './paths';
-import { t } from '../texts';
+import { counted, enumerated, t, type Words } from '../texts';
 
 export interface Collection {
   /** Paths of the meshes, at least one; the one to be opened unless another is wanted comes first. */
-  meshes: readonly string[];
+  meshes: readonly [string, ...string[]];
   input: (mesh: string) => MeshInput;
 }
 
 /** The meshes among files. An archive is looked into where there is no mesh beside it. */
-export async function collect(files: readonly GivenFile[]): Promise<Collection> {
+export async function collect(files: readonly InputFile[]): Promise<Collection> {
   const paths = files.map(({ path }) => path);
-  const meshes = meshesAmong(paths);
-  if (meshes.length > 0) return { meshes, input: (mesh) => ({ kind: 'files', mesh, files }) };
+  const [first, ...others] = meshesAmong(paths);
+  if (first !== undefined) return { meshes: [first, ...others], input: (mesh) => ({ kind: 'files', mesh, files }) };
   const archive = files.find(({ path }) => isArchive(path));
   if (!archive) throw new NoMesh(paths);
   return collectArchive(archive.content);
@@ -23,9 +24,9 @@ export async function collect(files: readonly GivenFile[]): Promise<Collection> 
 export async function collectArchive(archive: Blob): Promise<Collection> {
   const { Archive } = await import('./zip');
   const { paths } = await Archive.of(archive);
-  const meshes = meshesAmong(paths);
-  if (meshes.length === 0) throw new NoMesh(paths);
-  return { meshes, input: (mesh) => ({ kind: 'archive', mesh, archive }) };
+  const [first, ...others] = meshesAmong(paths);
+  if (first === undefined) throw new NoMesh(paths);
+  return { meshes: [first, ...others], input: (mesh) => ({ kind: 'archive', mesh, archive }) };
 }
 
 const NAMED = 5;
@@ -36,15 +37,16 @@ const CONVERT = t(
   'FBX and COLLADA (.dae) files are not read: convert them to GLB, in Blender (COLLADA up to version 4.5) or by “assimp export model.fbx model.glb”.',
 );
 
-/** Nothing of what was given is a mesh. */
-export class NoMesh extends Error {
+/** An input without a mesh. */
+export class NoMesh extends Failure {
   constructor(paths: readonly string[]) {
-    const names = paths.slice(0, NAMED).map(fileName).join(', ');
-    const more = paths.length > NAMED ? t` and ${paths.length - NAMED} more files` : '';
+    const names: Words[] = paths.slice(0, NAMED).map(fileName);
+    if (paths.length > NAMED) names.push(counted(paths.length - NAMED, '{0} more file', '{0} more files'));
+    const all = enumerated(names.length > 0 ? names : [t('the input')]);
     super(
       paths.some((path) => CONVERTED.test(path))
         ? CONVERT
-        : t`No mesh found in ${names ? `${names}${more}` : t('what was given')}. Supported formats: ${formats()}.`,
+        : t`No mesh found in ${all}. Supported formats: ${formats()}.`,
     );
   }
 }

@@ -1,10 +1,11 @@
-/** Fetches meshes from other servers. Nothing is told about the page or its user: no cookies, no referrer. */
+/** Fetches meshes from other servers. Servers learn nothing about the page or its user: no cookies, no referrer. */
+import { Failure, messageOf } from '../error';
 import { pathOf } from './address';
 import { type Collection, collectArchive } from './collection';
 import { isMesh } from './paths';
 import { type Reference, gltfReferences, librariesOf, mapsOf } from './references';
-import type { GivenFile } from '../protocol';
-import { t } from '../texts';
+import type { InputFile } from '../protocol';
+import { t, type Words } from '../texts';
 
 /** Of a mesh and what it refers to. */
 const MOST_BYTES = 2 ** 29;
@@ -12,7 +13,7 @@ export const MOST_FETCHED = '512 MiB';
 /** Files that a mesh may refer to. */
 const MOST_FILES = 1000;
 
-const TOLD_MS = 50;
+const REPORT_MS = 50;
 
 const ARCHIVE = 'PK\u0003\u0004';
 const PAGE = /^\s*<(!doctype html|html|head|body)\b/i;
@@ -36,7 +37,7 @@ export async function fetchCollection(
   const head = await content.slice(0, HEAD_BYTES).text();
   if (head.startsWith(ARCHIVE) && !isMesh(pathOf(address))) return collectArchive(content);
   if (PAGE.test(head))
-    throw new Error(t('the address gives a web page, not a mesh; use the address of the file itself'));
+    throw new Failure(t('the address gives a web page, not a mesh; use the address of the file itself'));
   const mesh = pathOf(address) || 'mesh';
   const document = JSON_DOCUMENT.test(head) ? await content.text() : '';
   const companions = document ? await fetcher.companions(gltfReferences(mesh, document), base) : [];
@@ -55,7 +56,7 @@ class Fetcher {
   readonly #signal: AbortSignal;
   #bytes = 0;
   #files = 0;
-  #toldAt = 0;
+  #reportedAt = 0;
 
   constructor(progress: FetchListener, signal: AbortSignal) {
     this.#progress = progress;
@@ -65,7 +66,7 @@ class Fetcher {
   /** `base`: where it was found in the end. */
   async fetch(url: URL): Promise<{ content: Blob; base: URL }> {
     const response = await this.#answer(url);
-    if (!response.ok) throw new Error(t`${url.host} answered with status ${response.status}`);
+    if (!response.ok) throw new Failure(t`${url.host} answered with status ${response.status}`);
     const length = Number(response.headers.get('Content-Length'));
     if (this.#bytes + length > MOST_BYTES) throw tooLarge();
     const chunks: Uint8Array<ArrayBuffer>[] = [];
@@ -85,17 +86,17 @@ class Fetcher {
   }
 
   /** The files that a mesh refers to, those that are there. Throws where one that is needed is not. */
-  async companions(references: readonly Reference[], base: URL): Promise<GivenFile[]> {
+  async companions(references: readonly Reference[], base: URL): Promise<InputFile[]> {
     this.#files += references.length;
     if (this.#files > MOST_FILES)
-      throw new Error(t`it refers to more than ${MOST_FILES} files; download them and drop their folder here`);
-    const found: GivenFile[] = [];
+      throw new Failure(t`it refers to more than ${MOST_FILES} files; download them and drop their folder here`);
+    const found: InputFile[] = [];
     for (const { uri, path, isNeeded } of references) {
       try {
         found.push({ path, content: await this.#companion(uri, base) });
       } catch (error) {
         this.#signal.throwIfAborted();
-        if (isNeeded) throw new Error(t`it refers to ${uri}, but ${(error as Error).message}`, { cause: error });
+        if (isNeeded) throw new Failure(t`it refers to ${uri}, but ${messageOf(error)}`, { cause: error });
       }
     }
     return found;
@@ -104,7 +105,7 @@ class Fetcher {
   async #companion(uri: string, base: URL): Promise<Blob> {
     const url = URL.canParse(uri, base) ? new URL(uri, base) : null;
     if (url?.origin !== base.origin)
-      throw new Error(t`only files of ${base.host} are fetched for it; download both and drop them here`);
+      throw new Failure(t`only files of ${base.host} are fetched for it; download both and drop them here`);
     return (await this.fetch(url)).content;
   }
 
@@ -113,12 +114,12 @@ class Fetcher {
       return await fetch(url, { ...ANONYMOUS, signal: this.#signal });
     } catch (error) {
       this.#signal.throwIfAborted();
-      throw new Error(await this.#reason(url), { cause: error });
+      throw new Failure(await this.#reason(url), { cause: error });
     }
   }
 
   /** A fetch does not say why it failed. */
-  async #reason(url: URL): Promise<string> {
+  async #reason(url: URL): Promise<Words> {
     if (!navigator.onLine) return t('there is no connection to the network');
     if (location.protocol === 'https:' && url.protocol === 'http:')
       return t`a page served over https cannot read from http://${url.host}; ${DOWNLOAD}`;
@@ -133,13 +134,13 @@ class Fetcher {
 
   #lost(url: URL, error: unknown): never {
     this.#signal.throwIfAborted();
-    throw new Error(t`the connection to ${url.host} was lost; try again`, { cause: error });
+    throw new Failure(t`the connection to ${url.host} was lost; try again`, { cause: error });
   }
 
   #tell(fraction: number | null): void {
     const now = performance.now();
-    if (now - this.#toldAt < TOLD_MS) return;
-    this.#toldAt = now;
+    if (now - this.#reportedAt < REPORT_MS) return;
+    this.#reportedAt = now;
     this.#progress(this.#bytes, fraction);
   }
 }
@@ -148,5 +149,5 @@ const DOWNLOAD = t('download the file and drop it here');
 const ANONYMOUS = { credentials: 'omit', referrerPolicy: 'no-referrer' } as const;
 
 function tooLarge(): Error {
-  return new Error(t`it is larger than ${MOST_FETCHED}, the most that is fetched; ${DOWNLOAD}`);
+  return new Failure(t`it is larger than ${MOST_FETCHED}, the most that is fetched; ${DOWNLOAD}`);
 }

@@ -1,4 +1,4 @@
-/** Paths of files that were given together. */
+/** Paths of the files of one input. */
 import { t } from '../texts/translate';
 
 /** The mesh formats by their extensions; an archive may hold meshes. */

@@ -53,7 +53,7 @@ export function mapsOf(mesh: string, library: string, text: string): Reference[]
 }
 
 function argumentsOf(text: string, statement: RegExp): string[] {
-  return Array.from(text.matchAll(statement), ([, found]) => found.trim());
+  return Array.from(text.matchAll(statement), ([, found = '']) => found.trim());
 }
 
 /** Files by their names, which no percent signs encode. */

@@ -1,6 +1,7 @@
 /** A scene in a file: an archive of its link, its mesh, and the files that the mesh refers to. */
+import { Failure } from '../error';
 import { strToU8, Zip, ZipDeflate } from 'fflate';
-import type { GivenFile, MeshInput } from '../protocol';
+import type { InputFile, MeshInput } from '../protocol';
 import { percentDecoded } from './address';
 import { resolve } from './paths';
 import { gltfReferences, librariesOf, mapsOf } from './references';
@@ -21,9 +22,9 @@ export interface SceneFile {
 /** `input`: that of the mesh; null for one that every page has. */
 export async function packScene(link: string, input: MeshInput | null): Promise<Blob> {
   const mesh = input && 'mesh' in input ? input.mesh : null;
-  const told = strToU8(JSON.stringify({ heatwalk: VERSION, mesh, link }, null, 2));
+  const manifest = strToU8(JSON.stringify({ heatwalk: VERSION, mesh, link }, null, 2));
   const files = input ? await filesOf(input) : new Map<string, Uint8Array>();
-  return zipped(new Map([[SCENE, told], ...files]));
+  return zipped(new Map([[SCENE, manifest], ...files]));
 }
 
 /** Names are no keys of an object: `constructor` and `__proto__` are names like others. */
@@ -51,20 +52,20 @@ function zipped(files: Contents): Blob {
 export async function sceneIn(content: Blob): Promise<SceneFile | null> {
   const archive = await Archive.of(content);
   if (!archive.paths.includes(SCENE)) return null;
-  const told = parsed(new TextDecoder().decode(archive.read(SCENE)));
-  if (!told || typeof told.link !== 'string' || !(told.mesh === null || typeof told.mesh === 'string'))
-    throw new Error(t`its ${SCENE} is damaged; save the scene again`);
-  if (told.heatwalk !== VERSION)
-    throw new Error(t`its ${SCENE} was written by another version of the page; reload the page, and open it again`);
-  if (told.mesh !== null && !archive.paths.includes(told.mesh))
-    throw new Error(t`its mesh ${told.mesh} is not in the archive; save the scene again`);
-  return { link: told.link, mesh: told.mesh };
+  const manifest = parsed(new TextDecoder().decode(archive.read(SCENE)));
+  if (!manifest || typeof manifest.link !== 'string' || !(manifest.mesh === null || typeof manifest.mesh === 'string'))
+    throw new Failure(t`its ${SCENE} is damaged; save the scene again`);
+  if (manifest.heatwalk !== VERSION)
+    throw new Failure(t`its ${SCENE} was written by another version of the page; reload the page, and open it again`);
+  if (manifest.mesh !== null && !archive.paths.includes(manifest.mesh))
+    throw new Failure(t`its mesh ${manifest.mesh} is not in the archive; save the scene again`);
+  return { link: manifest.link, mesh: manifest.mesh };
 }
 
 function parsed(text: string): { heatwalk?: unknown; link?: unknown; mesh?: unknown } | null {
   try {
-    const told: unknown = JSON.parse(text);
-    return typeof told === 'object' ? told : null;
+    const value: unknown = JSON.parse(text);
+    return typeof value === 'object' ? value : null;
   } catch {
     return null;
   }
@@ -75,7 +76,7 @@ type Contents = ReadonlyMap<string, Uint8Array>;
 async function filesOf(input: MeshInput): Promise<Contents> {
   switch (input.kind) {
     case 'files': {
-      const contents = new Map(input.files.map(({ path, content }: GivenFile) => [path, content]));
+      const contents = new Map(input.files.map(({ path, content }: InputFile) => [path, content]));
       const read = async (path: string) => new Uint8Array(await (contents.get(path) ?? new Blob()).arrayBuffer());
       return belonging(input.mesh, [...contents.keys()], read);
     }
@@ -90,7 +91,7 @@ async function filesOf(input: MeshInput): Promise<Contents> {
   }
 }
 
-/** A mesh and what it refers to, of files that were given together. */
+/** A mesh and what it refers to, of files that were opened together. */
 async function belonging(
   mesh: string,
   paths: readonly string[],

@@ -1,4 +1,5 @@
 /** Archives as of the ZIP File Format Specification (PKWARE APPNOTE.TXT 6.3), unpacked by fflate one file at a time. */
+import { Failure } from '../error';
 import { unzipSync } from 'fflate';
 import { t } from '../texts/translate';
 
@@ -40,7 +41,7 @@ export class Archive {
 
   static async of(content: Blob): Promise<Archive> {
     if (content.size > MOST_BYTES)
-      throw new Error(t('an archive may have 2 GiB at most; unpack it and open the files'));
+      throw new Failure(t('an archive may have 2 GiB at most; unpack it and open the files'));
     return new Archive(new Uint8Array(await content.arrayBuffer()));
   }
 
@@ -51,22 +52,24 @@ export class Archive {
   /** Unpacks a file. Throws a sentence where that is not possible, and before anything is unpacked that is too large. */
   read(path: string): Uint8Array<ArrayBuffer> {
     const entry = this.#entries.get(path);
-    if (!entry) throw new Error(t`${path} is not in the archive`);
+    if (!entry) throw new Failure(t`${path} is not in the archive`);
     const { index, name, packed, size, method, isEncrypted } = entry;
-    if (isEncrypted) throw new Error(t`${path} is encrypted; unpack the archive and open the files`);
+    if (isEncrypted) throw new Failure(t`${path} is encrypted; unpack the archive and open the files`);
     if (method !== STORED && method !== DEFLATED)
-      throw new Error(t`${path} is packed by method ${method}, which is not supported; pack it again as a plain .zip`);
+      throw new Failure(
+        t`${path} is packed by method ${method}, which is not supported; pack it again as a plain .zip`,
+      );
     if (size > SMALL_BYTES && size > MOST_RATIO * packed)
-      throw new Error(t`${path} claims to be ${Math.round(size / packed)} times as large as it is packed`);
+      throw new Failure(t`${path} claims to be ${Math.round(size / packed)} times as large as it is packed`);
     if (size > this.#left) {
       const most = Math.floor(this.#most / MEBIBYTE);
-      throw new Error(
+      throw new Failure(
         t`${path} and what is with it take more than ${most} MiB unpacked, too much for an archive of this size`,
       );
     }
     let at = 0;
     const bytes = orDamaged(() => unzipSync(this.#bytes, { filter: () => at++ === index })[name]);
-    if (bytes?.length !== size) throw new Error(damaged());
+    if (bytes?.length !== size) throw new Failure(damaged());
     this.#left -= size;
     return bytes;
   }
@@ -93,7 +96,7 @@ function entriesOf(bytes: Uint8Array): Map<string, Entry> {
     }),
   );
   // Programs differ in which one they take.
-  if (twice !== undefined) throw new Error(t`the archive holds ${twice} twice; unpack it and open the files`);
+  if (twice !== undefined) throw new Failure(t`the archive holds ${twice} twice; unpack it and open the files`);
   return entries;
 }
 
@@ -111,7 +114,7 @@ function flagsOf(bytes: Uint8Array): number[] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const { count, offset } = orDamaged(() => directoryOf(view));
   if (count > MOST_FILES)
-    throw new Error(t`the archive holds ${count} files, more than ${MOST_FILES}; unpack it and open the files`);
+    throw new Failure(t`the archive holds ${count} files, more than ${MOST_FILES}; unpack it and open the files`);
   return orDamaged(() => {
     const flags: number[] = [];
     for (let at = offset; flags.length < count;) {
@@ -148,6 +151,6 @@ function orDamaged<T>(work: () => T): T {
   try {
     return work();
   } catch (error) {
-    throw new Error(damaged(), { cause: error });
+    throw new Failure(damaged(), { cause: error });
   }
 }

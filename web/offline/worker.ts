@@ -83,7 +83,7 @@ async function keepDocument(store: Cache, address: string): Promise<void> {
   await store.put(address, unredirected(await response.blob(), response));
 }
 
-/** Without the mark of a redirection, with which a browser would refuse it as a page. */
+/** Without the mark of a redirection, with which a browser would reject it as a page. */
 function unredirected(content: BodyInit, { headers }: Response): Response {
   return new Response(content, { headers });
 }

@@ -1,5 +1,5 @@
 /** The scene by other settings, beside it: asks a worker of its own what the scene asks, and shows the answer right of the split. */
-import { messageOf } from '../error';
+import { Failure, messageOf } from '../error';
 import type { OpenedMesh, SurfacePath } from '../protocol';
 import { SolverClient } from '../solver/client';
 import { type Answer, type Engine, isSameField, type Question } from '../solver/engine';
@@ -103,7 +103,7 @@ export class Comparison {
 
   /** The scene stays; what it cannot be compared with goes. */
   #giveUp(error: unknown): void {
-    this.#session.fail(new Error(t`The other settings cannot be shown: ${messageOf(error)}`, { cause: error }));
+    this.#session.fail(new Failure(t`The other settings cannot be shown: ${messageOf(error)}`, { cause: error }));
     this.#session.scene.withdraw({ compared: null });
   }
 

@@ -1,6 +1,6 @@
 /** Sets of sources as they are drawn: curves, and dots where their places are in no order. */
 import type { Places } from '../state/places';
-import { type Vector, distance, normalized } from '../state/vector';
+import { distance, moved, normalized, type Vector } from '../state/vector';
 import { isClosed, isCurve, type SourceSet } from '../state/sources';
 import type { Edges } from '../view/layers';
 
@@ -46,7 +46,7 @@ function marks({ points }: SourceSet, places: Places): number[] {
     if (!place) return [];
     const { position, normal } = place;
     const along = tangent(normal);
-    return [-half, half].flatMap((step) => position.map((value, k) => value + step * along[k]));
+    return [-half, half].flatMap((step) => moved(position, along, step));
   });
 }
 

@@ -1,7 +1,7 @@
 /** What leaves the page: the direction that curves are seen from, and paths as files. */
 import type { DrawTransform, SurfacePath, Tracks } from '../protocol';
-import { distance, type Vector } from '../state/vector';
-import type { Up } from '../wasm/contract';
+import { type Vector, distance, vectorAt, vectorsIn } from '../state/vector';
+import { filePlace } from './nearest';
 
 /** Kinds of files of a path. */
 export type PathFile = 'csv' | 'obj' | 'glb';
@@ -12,31 +12,15 @@ export function towardEye(camera: readonly number[] | null): Vector {
   return [Math.cos(pitch) * Math.sin(yaw), Math.sin(pitch), Math.cos(pitch) * Math.cos(yaw)];
 }
 
-/** What was turned so that `up` is drawn along Y, as it is in the file. */
-const IN_FILE: Record<Up, (drawn: Vector) => Vector> = {
-  y: ([x, y, z]) => [x, y, z],
-  z: ([x, y, z]) => [x, -z, y],
-  x: ([x, y, z]) => [y, -x, z],
-  '-y': ([x, y, z]) => [x, -y, -z],
-  '-z': ([x, y, z]) => [x, z, -y],
-  '-x': ([x, y, z]) => [-y, x, z],
-};
-
 /** The points of a path in the unit of the file. */
-export function pathPoints({ points }: SurfacePath, { center, scale, up }: DrawTransform): Vector[] {
-  return Array.from({ length: points.length / 3 }, (_, index) => {
-    const drawn = points.subarray(3 * index, 3 * index + 3);
-    const turned = IN_FILE[up]([drawn[0], drawn[1], drawn[2]]);
-    return [0, 1, 2].map((axis) => turned[axis] / scale + center[axis]) as Vector;
-  });
+export function pathPoints({ points }: SurfacePath, transform: DrawTransform): Vector[] {
+  return vectorsIn(points).map((drawn) => filePlace(drawn, transform));
 }
 
 /** The points of each track. */
 export function trackPoints({ points, counts }: Tracks): Vector[][] {
   let at = 0;
-  return Array.from(counts, (count) =>
-    Array.from({ length: count }, (): Vector => [points[at++], points[at++], points[at++]]),
-  );
+  return Array.from(counts, (count) => Array.from({ length: count }, () => vectorAt(points, at++)));
 }
 
 /** A path as rows of a table, with the length walked so far, as a line, or as one of glTF. */
@@ -62,8 +46,7 @@ function linesFile(
 function rowsOf(points: readonly Vector[]): string[] {
   let walked = 0;
   return points.map((point, index) => {
-    const before = points[Math.max(0, index - 1)];
-    walked += distance(point, before);
+    walked += distance(point, points[index - 1] ?? point);
     return [walked, ...point].join(',');
   });
 }
@@ -86,7 +69,7 @@ function linesGlb(name: string, lines: readonly (readonly Vector[])[]): Uint8Arr
     points.slice(0, Math.max(1, points.length - 1)).flatMap((start, index) => [start, points[index + 1] ?? start]),
   );
   const positions = Float32Array.from(ends.flat());
-  const along = [0, 1, 2].map((axis) => Array.from(ends, (_, index) => positions[3 * index + axis]));
+  const along = [0, 1, 2].map((axis) => positions.filter((_, index) => index % 3 === axis));
   const accessor = {
     bufferView: 0,
     componentType: FLOAT,

@@ -1,4 +1,5 @@
 /** The places of sets of sources on a mesh. Fetched when a scene has some. */
+import { Failure } from '../error';
 import type { OpenedMesh, Source } from '../protocol';
 import type { Engine } from '../solver/engine';
 import { Cancelled, WorkerLost } from '../solver/remote';
@@ -6,6 +7,7 @@ import type { Places } from '../state/places';
 import { MOST_POINTS, placesOf, type SetShape, type SourceSet } from '../state/sources';
 import { boundaryThrough, componentOf, type Outlined, verticesOfPart } from './outlines';
 import { t } from '../texts';
+import { entry } from '../state/entry';
 
 /** A mesh that can be asked. */
 export interface Mesh {
@@ -50,7 +52,7 @@ export async function pointsOf(mesh: Mesh, shape: SetShape, given: readonly Sour
 
 export function atVertices(vertices: readonly number[]): Source[] {
   if (vertices.length > MOST_POINTS) {
-    throw new Error(t`This has ${vertices.length} vertices; up to ${MOST_POINTS} can be sources.`);
+    throw new Failure(t`This has ${vertices.length} vertices; up to ${MOST_POINTS} can be sources.`);
   }
   return vertices.map((vertex) => ({ vertex }));
 }
@@ -61,8 +63,10 @@ export async function outlined({ engine, opened }: Mesh): Promise<Outlined> {
 
 export async function lineThrough(engine: Engine, corners: readonly number[], closed: boolean): Promise<number[]> {
   const line = corners.slice(0, 1);
-  const ends = closed ? [...corners, corners[0]] : corners;
-  for (let i = 1; i < ends.length; i++) line.push(...(await engine.line(ends[i - 1], ends[i])).subarray(1));
+  const [, ...ends] = closed ? [...corners, ...line] : corners;
+  for (const [index, end] of ends.entries()) {
+    line.push(...(await engine.line(entry(corners, index), end)).subarray(1));
+  }
   // The first vertex is not repeated.
   return closed && line.length > 1 ? line.slice(0, -1) : line;
 }

@@ -26,7 +26,7 @@ export class Frames {
   #rests = 0;
   #moved = performance.now();
   /** What went wrong in a frame last. */
-  #told = '';
+  #reported = '';
   /** Where the camera was a frame ago, while a camera move still settles. */
   #settling: string | null = null;
 
@@ -82,8 +82,8 @@ export class Frames {
 
   /** Once, though it may go wrong in every frame. */
   #tell(error: Error): void {
-    if (error.message === this.#told) return;
-    this.#told = error.message;
+    if (error.message === this.#reported) return;
+    this.#reported = error.message;
     this.#session.view.failure.value = error;
   }
 
@@ -99,7 +99,7 @@ export class Frames {
   }
 }
 
-/** Seconds to go on by after so many milliseconds. */
+/** Seconds to go on by after `passed` milliseconds. */
 function step(passed: number): number {
   return Math.min(LONGEST_STEP, Math.max(0, passed / 1000));
 }

@@ -1,4 +1,5 @@
 /** Changes the ground of the scene as pointer, keyboard and panel ask for it. */
+import { Failure } from '../error';
 import type { OpenedMesh, MeshPoint } from '../protocol';
 import {
   areaOf,
@@ -18,6 +19,7 @@ import { Signal } from '../state/signal';
 import type { PointHit } from '../view/view';
 import type { Session } from './session';
 import { t } from '../texts';
+import { entry } from '../state/entry';
 
 /** Pixels around a wall along edges within which it is meant. */
 const GRIP_PX = 9;
@@ -134,7 +136,7 @@ export class GroundEditor {
   /** Paints what the rows of a CSV file say that triangles cost, in the place of what is painted. Throws where a row is none. */
   paintRows(name: string, text: string): void {
     if (this.#session.shown.value?.opened.interior)
-      throw new Error(t`${name} is for surfaces: inside of tetrahedra nothing is painted.`);
+      throw new Failure(t`${name} is for surfaces: inside of tetrahedra nothing is painted.`);
     this.#repaint(codesOfRows(name, text, this.#triangles));
   }
 
@@ -143,7 +145,7 @@ export class GroundEditor {
     const opened = this.#session.shown.value?.opened;
     if (!opened?.weights) return;
     const { surface, inputVertices, weights } = opened;
-    const corners = surface.triangles.map((drawn) => inputVertices[drawn]);
+    const corners = surface.triangles.map((drawn) => entry(inputVertices, drawn));
     try {
       this.#repaint(codesOfVertices(weights.name, weights.values, corners));
     } catch (error) {
@@ -188,8 +190,8 @@ export class GroundEditor {
     const { scene } = this.#session;
     const { ground } = scene.state;
     const index = this.#lineAt(x, y);
-    if (index >= 0) {
-      const line = ground.lines[index];
+    const line = ground.lines[index];
+    if (line) {
       scene.edit({ ground: { ...ground, lines: ground.lines.with(index, { ...line, open: !line.open }) } });
       return;
     }

@@ -1,9 +1,10 @@
 /** What is being opened, for the loading bar. */
 import { Cancelled } from '../solver/remote';
 import type { Signal } from '../state/signal';
+import type { Words } from '../texts';
 
 export interface Loading {
-  title: string;
+  title: Words;
   /** In English, as workers tell it. */
   stage: string;
   /** 0 to 1; null where it is not known. */
@@ -18,7 +19,7 @@ export type LoadingListener = (reached: Omit<Loading, 'title'>) => void;
 /** Does a work of which `loading` shows the progress. `signal` is aborted once another work, or null, takes its place there. */
 export async function whileLoading<T>(
   loading: Signal<Loading | null>,
-  title: string,
+  title: Words,
   work: (progress: LoadingListener, signal: AbortSignal) => Promise<T>,
 ): Promise<T> {
   let mine: Loading = { title, stage: 'Fetching', fraction: 0, vertices: 0 };

@@ -1,6 +1,7 @@
 /** The place of a surface that is nearest to a point of space. */
 import type { DrawMesh, DrawTransform, MeshPoint } from '../protocol';
-import { type Vector, dot, minus, vectorAt } from '../state/vector';
+import { cornersOf, dot, minus, type Triangle, type Vector, vectorAt, weighted } from '../state/vector';
+import { entry } from '../state/entry';
 
 /** Triangles of a leaf of the hierarchy, see `bake::hierarchy::LEAF`. */
 const LEAF = 8;
@@ -25,9 +26,9 @@ export function nearestPlace(surface: DrawMesh, inputVertices: Uint32Array, poin
     if (node >= inner) {
       const first = LEAF * (node - inner);
       for (const face of order.subarray(first, first + LEAF)) {
-        const [a, b, c] = [0, 1, 2].map((k) => vectorAt(positions, triangles[3 * face + k]));
-        const weights = nearestWeights(point, a, b, c);
-        const away = squareBetween(point, blended(weights, a, b, c));
+        const corners = cornersOf(positions, triangles, face);
+        const weights = nearestWeights(point, corners);
+        const away = squareBetween(point, weighted(corners, weights));
         if (away < best.square) best = { square: away, face, weights };
       }
     } else {
@@ -38,7 +39,8 @@ export function nearestPlace(surface: DrawMesh, inputVertices: Uint32Array, poin
   }
   const { face, weights, square } = best;
   const corner = weights.findIndex((weight) => weight > AT_CORNER);
-  const at: MeshPoint = corner < 0 ? { face, weights } : { vertex: inputVertices[triangles[3 * face + corner]] };
+  const at: MeshPoint =
+    corner < 0 ? { face, weights } : { vertex: entry(inputVertices, entry(triangles, 3 * face + corner)) };
   return { point: at, away: Math.sqrt(square) };
 }
 
@@ -87,7 +89,7 @@ export function filePlace([x, y, z]: Vector, { center, scale, up }: DrawTransfor
  * Weights of the point of a triangle that is nearest to another one, by the region of the plane that it is seen from: Ericson,
  * "Real-Time Collision Detection", 2005, section 5.1.5.
  */
-function nearestWeights(p: Vector, a: Vector, b: Vector, c: Vector): Vector {
+function nearestWeights(p: Vector, [a, b, c]: Triangle): Vector {
   const [ab, ac] = [minus(b, a), minus(c, a)];
   const [ap, bp, cp] = [minus(p, a), minus(p, b), minus(p, c)];
   const [d1, d2] = [dot(ab, ap), dot(ac, ap)];
@@ -110,19 +112,15 @@ function along(part: number, whole: number, weights: (share: number) => Vector):
   return weights(whole > 0 ? part / whole : 0);
 }
 
-/** Of the distance to a box. */
-function squareTo(boxes: Float32Array, node: number, point: Vector): number {
-  let square = 0;
-  for (let axis = 0; axis < 3; axis++) {
-    const [low, high] = [boxes[6 * node + axis], boxes[6 * node + 3 + axis]];
-    square += Math.max(low - point[axis], 0, point[axis] - high) ** 2;
-  }
-  return square;
+function beyond(at: number, least: number, most: number): number {
+  return Math.max(least - at, 0, at - most) ** 2;
 }
 
-function blended([u, v, w]: Vector, a: Vector, b: Vector, c: Vector): Vector {
-  const at = (k: number) => u * a[k] + v * b[k] + w * c[k];
-  return [at(0), at(1), at(2)];
+/** Of the distance to a box. */
+function squareTo(boxes: Float32Array, node: number, point: Vector): number {
+  const [low, high] = [vectorAt(boxes, 2 * node), vectorAt(boxes, 2 * node + 1)];
+  const [x, y, z] = point;
+  return beyond(x, low[0], high[0]) + beyond(y, low[1], high[1]) + beyond(z, low[2], high[2]);
 }
 
 function squareBetween(a: Vector, b: Vector): number {

@@ -4,8 +4,8 @@ import { nameOf } from '../files/address';
 import { fetchCollection, type FetchListener } from '../files/fetch';
 import { fileName, isArchive, isTable } from '../files/paths';
 import type { SceneFile } from '../files/scene';
-import { toError } from '../error';
-import type { GivenFile } from '../protocol';
+import { detailsOf, messageOf, toError } from '../error';
+import type { InputFile } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { isPainted, LEVEL } from '../state/ground';
@@ -20,20 +20,20 @@ import type { GroundEditor } from './ground';
 import type { LoadingListener } from './loading';
 import type { OpenRequest, Shown } from './prepare';
 import type { Session } from './session';
-import { language, t } from '../texts';
+import { count, t, type Words } from '../texts';
 
 export interface Action {
-  name: string;
+  name: Words;
   run: () => void;
 }
 
-export interface Voice {
+export interface Notifier {
   /** A mesh is shown. */
   opened(shown: Shown, unit: LengthUnit): void;
-  notice(text: string): void;
+  notice(text: Words): void;
   /** Tells which of the meshes that came together is shown, and offers the others. */
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void;
-  fail(text: string, details: string, remedy?: Action): void;
+  fail(text: Words, details: string, remedy?: Action): void;
   /** Stays until the file is there. */
   askForFile(name: string): void;
   /** Stays until it is opened: nothing is fetched unasked. */
@@ -42,14 +42,14 @@ export interface Voice {
   forget(): void;
 }
 
-/** What the user gave at once. `title` names it while it is being looked through. */
-export interface Given {
-  title: string;
-  files: Promise<readonly GivenFile[]>;
+/** Files of one drop, paste or dialog. `title` names them while they are read. */
+export interface InputFiles {
+  title: Words;
+  files: Promise<readonly InputFile[]>;
 }
 
-/** What is chosen for a mesh of which no link says anything. Links of files from before these choices say nothing of them. */
-const UNTOLD = { method: 'auto', up: AUTOMATIC } as const;
+/** Defaults of a mesh without a link. Older links of files leave these keys out, and mean the former defaults. */
+const NEW_FILE_DEFAULTS = { method: 'auto', up: AUTOMATIC } as const;
 
 /** The state in which a mesh starts out; null for a preset that does not exist. */
 export function startOf(mesh: MeshReference): SceneState | null {
@@ -59,7 +59,7 @@ export function startOf(mesh: MeshReference): SceneState | null {
     case 'file':
       return emptyScene(mesh);
     case 'address':
-      return startOfGiven(mesh);
+      return startOfFile(mesh);
   }
 }
 
@@ -85,14 +85,14 @@ const NO_PLACES = { sources: [], sets: [], walker: null, tapes: [], links: 0 } a
 
 export class Opener {
   readonly #session: Session;
-  readonly #voice: Voice;
+  readonly #notifier: Notifier;
   readonly #ground: GroundEditor;
   /** What a link wants to see of a file that only the user can give, or of an address that only the user may open. */
   #awaited: SceneState | null = null;
 
-  constructor(session: Session, voice: Voice, ground: GroundEditor) {
+  constructor(session: Session, notifier: Notifier, ground: GroundEditor) {
     this.#session = session;
-    this.#voice = voice;
+    this.#notifier = notifier;
     this.#ground = ground;
   }
 
@@ -110,8 +110,8 @@ export class Opener {
     await this.#open(request, () => this.#forget());
   }
 
-  /** Opens a mesh of what was given, in a state that is `wanted`; a table alone is for the mesh on screen. */
-  async files({ title, files }: Given, wanted: SceneState | null = null): Promise<void> {
+  /** Opens a mesh of files, in a state that is `wanted`; a table alone is for the mesh on screen. */
+  async files({ title, files }: InputFiles, wanted: SceneState | null = null): Promise<void> {
     const [only, ...more] = await files.catch(() => []);
     if (only && more.length === 0 && isTable(only.path)) {
       await this.#table(only);
@@ -120,43 +120,42 @@ export class Opener {
     if (only && more.length === 0 && isArchive(only.path) && (await this.#scene(title, only.content))) return;
     const collected = async () => collect(await files);
     await this.#gather(title, collected, (collection) => {
-      if (wanted) return this.#from(given(collection), collection.meshes[0], wanted);
+      if (wanted) return this.#from(fromFiles(collection), collection.meshes[0], wanted);
       const awaited = this.#awaited;
       const name = awaited && titleOf(awaited.mesh);
       const mesh = collection.meshes.find((path) => fileName(path) === name);
-      const origin = given(collection);
+      const origin = fromFiles(collection);
       return mesh === undefined ? this.#from(origin, origin.meshes[0]) : this.#from(origin, mesh, awaited);
     });
   }
 
   /** Opens a scene that was saved as a file; false where an archive holds none. */
-  async #scene(title: string, content: Blob): Promise<boolean> {
+  async #scene(title: Words, content: Blob): Promise<boolean> {
     let scene: SceneFile | null;
     try {
       const { sceneIn } = await import('../files/scene');
       scene = await sceneIn(content);
     } catch (error) {
-      const { message, stack } = toError(error);
-      this.#voice.fail(t`${title} was not opened: ${message}`, stack ?? message);
+      this.#notifier.fail(t`${title} was not opened: ${messageOf(error)}`, detailsOf(error));
       return true;
     }
     if (!scene) return false;
     const { mesh } = scene;
     const { state, notices } = decodeLink(scene.link, startOf);
-    for (const notice of notices) this.#voice.notice(notice);
+    for (const notice of notices) this.#notifier.notice(notice);
     if (state?.mesh.kind === 'preset') await this.preset(state.mesh.id, state);
     else if (state && mesh !== null)
       await this.#gather(
         title,
         () => collectArchive(content),
-        (collection) => this.#from(given(collection), mesh, state),
+        (collection) => this.#from(fromFiles(collection), mesh, state),
       );
-    else this.#voice.fail(t`${title} was not opened: it names no mesh; save the scene again`, scene.link);
+    else this.#notifier.fail(t`${title} was not opened: it names no mesh; save the scene again`, scene.link);
     return true;
   }
 
   /** Adds sources to the mesh on screen, or paints its ground: what a heading says, and without one the ground. */
-  async #table({ path, content }: GivenFile): Promise<void> {
+  async #table({ path, content }: InputFile): Promise<void> {
     const name = fileName(path);
     const [text, { isNamedList }] = await Promise.all([content.text(), import('../state/list')]);
     if (isNamedList(text)) await this.#list(name, text);
@@ -166,32 +165,32 @@ export class Opener {
   /** Adds what is pasted to the mesh on screen, if it is a list of sources. */
   async pastedList(text: string): Promise<void> {
     const { isList } = await import('../state/list');
-    if (isList(text)) await this.#list(t('List'), text);
+    if (isList(text)) await this.#list(String(t('List')), text);
   }
 
   /** Adds rows of text as sources of the mesh on screen. */
   async #list(name: string, text: string): Promise<void> {
     await this.#change(async () => {
       const { addList } = await import('./sets');
-      this.#voice.notice(addList(this.#session, name, text));
+      this.#notifier.notice(addList(this.#session, name, text));
     });
   }
 
-  /** Where a change fails, the reason is told. */
+  /** Reports why a change fails. */
   async #change(work: () => Promise<void> | void): Promise<void> {
     try {
       await work();
     } catch (error) {
-      const { message, stack } = toError(error);
-      this.#voice.fail(message, stack ?? message);
+      this.#notifier.fail(messageOf(error), detailsOf(error));
     }
   }
 
   /** Fetches what is at an address, in the state that a link wants for it. */
   async address(address: string, awaited: SceneState | null = null): Promise<void> {
     const fetched = (progress: LoadingListener, signal: AbortSignal) => {
-      const told: FetchListener = (bytes, fraction) => progress({ stage: 'Fetching', fraction, vertices: 0, bytes });
-      return fetchCollection(address, told, signal);
+      const listener: FetchListener = (bytes, fraction) =>
+        progress({ stage: 'Fetching', fraction, vertices: 0, bytes });
+      return fetchCollection(address, listener, signal);
     };
     await this.#gather(nameOf(address), fetched, (collection) => {
       const [first] = collection.meshes;
@@ -211,7 +210,7 @@ export class Opener {
   /** One mesh of those that came together, in the state that a link wants for it. */
   async #from(origin: Origin, mesh: string, awaited: SceneState | null = null): Promise<void> {
     const title = fileName(mesh);
-    const state = awaited ?? { ...emptyScene(origin.reference(mesh)), ...UNTOLD };
+    const state = awaited ?? { ...emptyScene(origin.reference(mesh)), ...NEW_FILE_DEFAULTS };
     const load = () => Promise.resolve(origin.input(mesh));
     const request: OpenRequest = { title, load, state, choosePlaces: true, view: LANDING_VIEW };
     if (!awaited) request.asAuthored = true;
@@ -219,19 +218,19 @@ export class Opener {
       const wanted = awaited && 'hash' in awaited.mesh ? awaited.mesh.hash : '';
       this.#forget();
       if (wanted && wanted !== opened.hash) {
-        this.#voice.notice(
+        this.#notifier.notice(
           t`This ${title} is not the file the link was made with, so sources and walker may be in the wrong place.`,
         );
       }
       if (origin.meshes.length > 1) {
-        this.#voice.choice(mesh, origin.meshes, (other) => void this.#from(origin, other));
+        this.#notifier.choice(mesh, origin.meshes, (other) => void this.#from(origin, other));
       }
     });
   }
 
-  /** Opens one of the meshes that come together; where there is none, the reason is told. */
+  /** Opens one of the meshes of an input; reports why there is none. */
   async #gather(
-    title: string,
+    title: Words,
     collected: (progress: LoadingListener, signal: AbortSignal) => Promise<Collection>,
     open: (collection: Collection) => Promise<void>,
   ): Promise<void> {
@@ -243,15 +242,15 @@ export class Opener {
       });
     } catch (error) {
       if (error instanceof Cancelled) return;
-      const { message, stack } = toError(error);
-      this.#voice.fail(error instanceof NoMesh ? message : t`${title} was not opened: ${message}`, stack ?? message);
+      const reason = messageOf(error);
+      this.#notifier.fail(error instanceof NoMesh ? reason : t`${title} was not opened: ${reason}`, detailsOf(error));
     }
   }
 
   /** A shared scene, or the first preset when the fragment names none. */
   async link(fragment: string): Promise<void> {
     const { state, notices } = decodeLink(fragment, startOf);
-    for (const notice of notices) this.#voice.notice(notice);
+    for (const notice of notices) this.#notifier.notice(notice);
     if (state?.mesh.kind === 'preset') {
       await this.preset(state.mesh.id, state);
       return;
@@ -260,8 +259,8 @@ export class Opener {
     if (!state) return;
     this.#awaited = state;
     const { mesh } = state;
-    if (mesh.kind === 'file') this.#voice.askForFile(mesh.name);
-    else this.#voice.offer(mesh.address, () => void this.address(mesh.address, state));
+    if (mesh.kind === 'file') this.#notifier.askForFile(mesh.name);
+    else this.#notifier.offer(mesh.address, () => void this.address(mesh.address, state));
   }
 
   /** Walks on other parts of the same file. What is placed on parts that stay active stays where it is. */
@@ -270,14 +269,14 @@ export class Opener {
   }
 
   /**
-   * Fills what the surface encloses with about so many tetrahedra; null shows the surface again. What is placed stays about where
+   * Fills what the surface encloses with about `wanted` tetrahedra; null shows the surface again. What is placed stays about where
    * it is.
    */
-  async fill(count: number | null): Promise<void> {
+  async fill(wanted: number | null): Promise<void> {
     const { state } = this.#session.scene;
-    const inside = count === null ? WHOLE : isWhole(state.inside) ? HALVED : state.inside;
-    const method = state.fill === null && count !== null ? 'auto' : state.method;
-    await this.#carried({ ...state, ...NO_PLACES, fill: count, inside, method, ground: LEVEL }, ANYWHERE);
+    const inside = wanted === null ? WHOLE : isWhole(state.inside) ? HALVED : state.inside;
+    const method = state.fill === null && wanted !== null ? 'auto' : state.method;
+    await this.#carried({ ...state, ...NO_PLACES, fill: wanted, inside, method, ground: LEVEL }, ANYWHERE);
   }
 
   /** What can be done when a question to the mesh on screen has failed. */
@@ -290,41 +289,39 @@ export class Opener {
     return undefined;
   }
 
-  /** The same file with another mesh of it. What is placed is taken there as far as `reach`: see `carry`. */
+  /** The same file with another mesh of it. What is placed is taken there as far as `reach`: see `transfer`. */
   async #carried(state: SceneState, reach: number): Promise<void> {
     const { scene, shown } = this.#session;
-    const { carry } = await import('./carry');
-    await this.#again(state, shown.value ? { carry: carry(shown.value, scene.state, reach) } : {});
+    const { transfer } = await import('./transfer');
+    await this.#again(state, shown.value ? { transfer: transfer(shown.value, scene.state, reach) } : {});
   }
 
   /** The same mesh once more, in a worker of its own. */
-  async #again(state: SceneState, more: Pick<OpenRequest, 'carry'> = {}): Promise<void> {
+  async #again(state: SceneState, more: Pick<OpenRequest, 'transfer'> = {}): Promise<void> {
     const { request } = this.#session;
     if (request) await this.#open({ ...request, state, choosePlaces: true, view: null, ...more });
   }
 
-  /** When nothing is opened, the reason is told. */
+  /** Reports why nothing is opened. */
   async #open(request: OpenRequest, done: (shown: Shown) => void = () => undefined): Promise<void> {
     try {
       const shown = await this.#session.open(request);
       if (hasLost(request.state, this.#session.scene.state)) {
-        this.#voice.notice(t('Some sources of the link are not on this mesh and were removed.'));
+        this.#notifier.notice(t('Some sources of the link are not on this mesh and were removed.'));
       }
       if (isPainted(request.state.ground) && !isPainted(this.#session.scene.state.ground)) {
-        this.#voice.notice(t('The ground of the link is of another mesh and was removed.'));
+        this.#notifier.notice(t('The ground of the link is of another mesh and was removed.'));
       }
-      this.#voice.opened(shown, unitOf(this.#session.scene.state, shown.opened));
+      this.#notifier.opened(shown, unitOf(this.#session.scene.state, shown.opened));
       done(shown);
     } catch (error) {
       if (!(error instanceof Cancelled)) {
-        const failure = toError(error);
-        const { message, stack } = failure;
-        const lighter = lighterOf(request.state, failure);
+        const lighter = lighterOf(request.state, toError(error));
         const remedy = lighter && {
           name: lighter.name,
           run: () => void this.#open({ ...request, state: lighter.state }, done),
         };
-        this.#voice.fail(t`${request.title} was not opened: ${message}`, stack ?? message, remedy);
+        this.#notifier.fail(t`${request.title} was not opened: ${messageOf(error)}`, detailsOf(error), remedy);
       }
     }
   }
@@ -332,12 +329,12 @@ export class Opener {
   #forget(): void {
     if (!this.#awaited) return;
     this.#awaited = null;
-    this.#voice.forget();
+    this.#notifier.forget();
   }
 }
 
 /** The same with less memory, where a failure was for want of it: without factors, or with as few windows as there are. */
-function lighterOf(state: SceneState, failure: Error): { name: string; state: SceneState } | undefined {
+function lighterOf(state: SceneState, failure: Error): { name: Words; state: SceneState } | undefined {
   const { method, parameters } = state;
   if (failure.name === MESH_TOO_LARGE) return simplifiedOf(state);
   if (failure.name === TOO_MANY_WINDOWS) return { name: USE_ONE_WINDOW, state: { ...state, windows: DEFAULT_WINDOWS } };
@@ -346,20 +343,20 @@ function lighterOf(state: SceneState, failure: Error): { name: string; state: Sc
 }
 
 /** A simplified model that fits. Places count its own vertices, so they are chosen anew. */
-function simplifiedOf(state: SceneState): { name: string; state: SceneState } | undefined {
+function simplifiedOf(state: SceneState): { name: Words; state: SceneState } | undefined {
   const { memory } = state.parameters;
   const limit = state.method === 'heat' || memory === AUTOMATIC ? ADDRESS_SPACE : memory;
   const fitting = Math.min(MOST_SIMPLIFIED, (limit * 2 ** 20) / TRIANGLE_BYTES);
   const digits = 10 ** Math.max(0, Math.floor(Math.log10(fitting)) - 1);
   const triangles = digits * Math.floor(fitting / digits);
   if (triangles < TRIANGLES[0] || state.triangles !== null) return undefined;
-  const name = t`Simplify to ${triangles.toLocaleString(language)} triangles`;
+  const name = t`Simplify to ${count(triangles)} triangles`;
   return { name, state: { ...state, ...NO_PLACES, triangles, windows: DEFAULT_WINDOWS } };
 }
 
 /** Whether there are fewer sources than were wanted. */
 function hasLost(wanted: SceneState, now: SceneState): boolean {
-  const isFewer = ({ points }: SourceSet, index: number) => points.length > now.sets[index].points.length;
+  const isFewer = ({ points }: SourceSet, index: number) => points.length > (now.sets[index]?.points.length ?? 0);
   return (
     wanted.sources.length > now.sources.length || wanted.sets.length > now.sets.length || wanted.sets.some(isFewer)
   );
@@ -369,11 +366,11 @@ function fileReference(mesh: string): MeshReference {
   return { kind: 'file', name: fileName(mesh), hash: '' };
 }
 
-function given(collection: Collection): Origin {
+function fromFiles(collection: Collection): Origin {
   return { ...collection, reference: fileReference };
 }
 
 /** The state in which a mesh that is opened from a file starts out where some of it is chosen beforehand. */
-export function startOfGiven(mesh: MeshReference): SceneState {
-  return { ...emptyScene(mesh), ...UNTOLD, style: MODEL_STYLE };
+export function startOfFile(mesh: MeshReference): SceneState {
+  return { ...emptyScene(mesh), ...NEW_FILE_DEFAULTS, style: MODEL_STYLE };
 }

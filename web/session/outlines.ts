@@ -2,6 +2,7 @@
 import type { OpenedMesh } from '../protocol';
 import { partsOfFaces } from '../state/parts';
 import { type Vector, distance, vectorAt } from '../state/vector';
+import { entry } from '../state/entry';
 
 /** A surface as it is drawn, and the triangles beside each: `SolverApi.neighbors`. */
 export interface Outlined extends Pick<OpenedMesh, 'parts' | 'active' | 'inputVertices'> {
@@ -48,7 +49,7 @@ export function partOf(mesh: Outlined, face: number): number | null {
   return mesh.active.length > 1 ? (partsOfFaces(mesh)?.at(face) ?? null) : null;
 }
 
-/** The vertices of a part; empty where it cannot be told. */
+/** The vertices of a part; empty where it is not known. */
 export function verticesOfPart(mesh: Outlined, part: number): number[] {
   const partOfFace = partsOfFaces(mesh);
   if (!partOfFace) return [];
@@ -90,7 +91,7 @@ function around(mesh: Outlined, { face, edge }: Side, corner: number): { side: S
   for (let steps = mesh.neighbors.length / 3; steps > 0; steps--) {
     // Of the two sides at a corner, the other one: they are numbered as the corner is, and as the one before.
     const other = at.edge === at.corner ? (at.corner + 2) % 3 : at.corner;
-    const next = mesh.neighbors[3 * at.face + other];
+    const next = entry(mesh.neighbors, 3 * at.face + other);
     if (next === at.face) return { side: { face: at.face, edge: other }, corner: at.corner };
     at = across(mesh, { face: at.face, edge: other }, at.corner, next);
   }
@@ -128,7 +129,7 @@ function flood(mesh: Outlined, face: number, seen: Uint8Array): number[] {
     for (let k = 0; k < 3; k++) {
       const place = positionOf(mesh, next, k).join();
       if (!found.has(place)) found.set(place, vertexOf(mesh, next, k));
-      const other = mesh.neighbors[3 * next + k];
+      const other = entry(mesh.neighbors, 3 * next + k);
       if (seen[other] === 1) continue;
       seen[other] = 1;
       waiting.push(other);
@@ -138,9 +139,9 @@ function flood(mesh: Outlined, face: number, seen: Uint8Array): number[] {
 }
 
 function vertexOf({ surface, inputVertices }: Outlined, face: number, corner: number): number {
-  return inputVertices[surface.triangles[3 * face + corner]];
+  return entry(inputVertices, entry(surface.triangles, 3 * face + corner));
 }
 
 function positionOf({ surface }: Outlined, face: number, corner: number): Vector {
-  return vectorAt(surface.positions, surface.triangles[3 * face + corner]);
+  return vectorAt(surface.positions, entry(surface.triangles, 3 * face + corner));
 }

@@ -11,6 +11,7 @@ import { MODEL_STYLE } from '../state/styles';
 import { reducedMotion } from '../view/motion';
 import { AUTOMATIC } from '../wasm/contract';
 import type { Mesh } from './found';
+import type { Words } from '../texts';
 
 export interface Shown {
   opened: OpenedMesh;
@@ -20,10 +21,10 @@ export interface Shown {
 
 /** What is placed on a mesh. */
 export type Placed = Pick<SceneState, 'sources' | 'sets' | 'walker' | 'tapes'>;
-export type Carry = (mesh: Mesh) => Promise<Placed>;
+export type Transfer = (mesh: Mesh) => Promise<Placed>;
 
 export interface OpenRequest {
-  title: string;
+  title: Words;
   load: () => Promise<MeshInput>;
   state: SceneState;
   /** Puts a source and a walker where the state has none. */
@@ -31,7 +32,7 @@ export interface OpenRequest {
   /** Shows the file as its author made it: in its materials and in motion, where it has these. */
   asAuthored?: true;
   /** Finds what is placed, in the place of what the state has. */
-  carry?: Carry;
+  transfer?: Transfer;
   /** Yaw and pitch to frame from when the state has no camera; null keeps the camera as it is. */
   view: readonly [number, number] | null;
 }
@@ -68,8 +69,8 @@ export function questionOf(state: SceneState, method = state.method): Question {
 /** What a scene wants of its mesh. The memory limit of the heat method is one for factors alone. */
 export function wantedOf({ parts, method, windows, parameters, up, triangles, fill }: SceneState): Wanted {
   return method === 'heat'
-    ? { parts, parameters, up, triangles, fill, room: { windows: 0, memory: AUTOMATIC } }
-    : { parts, parameters: null, up, triangles, fill, room: { windows, memory: parameters.memory } };
+    ? { parts, parameters, up, triangles, fill, budget: { windows: 0, memory: AUTOMATIC } }
+    : { parts, parameters: null, up, triangles, fill, budget: { windows, memory: parameters.memory } };
 }
 
 /** Makes the state fit the mesh and solves it for the first time. */
@@ -77,7 +78,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   const { opened } = engine;
   const places = new Places(opened);
   const mesh = { engine, opened, places };
-  const placed = await (request.carry ? request.carry(mesh) : placedOn(mesh, request.state));
+  const placed = await (request.transfer ? request.transfer(mesh) : placedOn(mesh, request.state));
   let { sources, walker } = placed;
   const { sets, tapes } = placed;
   if (request.choosePlaces && sources.length + sets.length === 0) sources = [places.extreme([0.5, 0.4, 0.75])];

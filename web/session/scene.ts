@@ -1,4 +1,5 @@
 /** The scene on screen as a file. */
+import { Failure } from '../error';
 import { packScene } from '../files/scene';
 import { encodeLink } from '../state/link';
 import { encodeAllSets, fitLink } from '../state/sets';
@@ -8,7 +9,7 @@ import { t } from '../texts';
 
 /** An archive with all that a link says, also what is too much for one, and with the mesh. */
 export async function sceneFile({ scene, request }: Session): Promise<Blob> {
-  if (!request) throw new Error(t('There is no scene yet. Open a mesh first.'));
+  if (!request) throw new Failure(t('There is no scene yet. Open a mesh first.'));
   const { state } = scene;
   const link = encodeLink(state, startOf(state.mesh) ?? state);
   const whole = fitLink(state.sets) ? link : `${link}&sets=${encodeAllSets(state.sets)}`;

@@ -1,5 +1,5 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
-import { toError } from '../error';
+import { Failure, toError } from '../error';
 import type { Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
 import { type Answer, type Engine, isSameField, isSameMoment, type Question } from '../solver/engine';
@@ -18,14 +18,14 @@ import { pageHidden } from './hidden';
 import { type Loading, type LoadingListener, whileLoading } from './loading';
 import { type OpenRequest, prepare, questionOf, type Shown, suited, wantedOf } from './prepare';
 import { Presenter } from './presenter';
-import { t } from '../texts';
+import { t, type Words } from '../texts';
 
 /** A path that takes longer is traced only when the pointer rests. */
 const LIVE_PATH_MS = 8;
 /** A field that takes longer, a frame at 60 a second, is solved with less accuracy while the pointer drags. */
 const LIVE_FIELD_MS = 16;
 
-/** Triangles of a mesh whose first answer takes so many frames that the mesh is drawn before. */
+/** Triangles of a mesh whose first answer takes many frames, so that it is drawn before. */
 const LEAST_PREVIEWED = 100_000;
 
 /** Until the worker of the next opening is started. */
@@ -36,7 +36,7 @@ const TURNTABLE_SPEED = Math.PI / 8;
 
 /** A mesh without an answer. */
 export interface Preview {
-  title: string;
+  title: Words;
   opened: OpenedMesh;
 }
 
@@ -161,7 +161,7 @@ export class Session {
   }
 
   /** Does what an opening has to wait for, which `work` ends with; it is cancelled as an opening is, by another one too. */
-  gather(title: string, work: (progress: LoadingListener, signal: AbortSignal) => Promise<void>): Promise<void> {
+  gather(title: Words, work: (progress: LoadingListener, signal: AbortSignal) => Promise<void>): Promise<void> {
     this.cancelOpening();
     return whileLoading(this.loading, title, work);
   }
@@ -171,7 +171,7 @@ export class Session {
     this.#client.cancel();
   }
 
-  /** During a drag a small exact region, or what vertices carry, may do, and the path may wait until the pointer rests. */
+  /** During a drag a small exact region, or the values of vertices may do, and the path may wait until the pointer rests. */
   set dragging(dragging: boolean) {
     this.#setDrag(dragging, false);
   }
@@ -297,7 +297,7 @@ export class Session {
       throw error;
     }
     // What was placed is in the scene from now on.
-    const { carry: _carry, ...kept } = request;
+    const { transfer: _transfer, ...kept } = request;
     this.#use(engine, kept);
     this.refiner.reset();
     this.failure.value = null;
@@ -392,8 +392,8 @@ export class Session {
       return;
     }
     if (await this.#solve()) {
-      const what = this.refiner.hasLostWorker && isOutOfMemory(lost) ? outOfMemory(exactBelow) : lost.message;
-      this.failure.value = new Error(t`${what} The solver was restarted; the scene is unchanged.`, { cause: lost });
+      const what = this.refiner.hasLostWorker && isOutOfMemory(lost) ? outOfMemory(exactBelow) : lost.words;
+      this.failure.value = new Failure(t`${what} The solver was restarted; the scene is unchanged.`, { cause: lost });
     }
   }
 
@@ -536,6 +536,6 @@ function asText({
 }
 
 /** Where refinement has ended a worker. `exactBelow`: in the unit of the file. */
-function outOfMemory(exactBelow: number): string {
+function outOfMemory(exactBelow: number): Words {
   return t`Refinement needed more memory than the browser gives; distances were exact below ${exactBelow.toPrecision(3)} units.`;
 }

@@ -1,4 +1,5 @@
 /** Adds sets of sources as gestures, text and files ask for it. Fetched with the first of these. */
+import { Failure } from '../error';
 import type { MeshPoint, Source } from '../protocol';
 import { addSet, addSource, replaceSet, selectedSet } from '../state/edit';
 import { type Row, rowsOf } from '../state/list';
@@ -20,7 +21,9 @@ import { atVertices, lineThrough, type Mesh, outlined, pointsOf } from './found'
 import { drawnPlace, filePlace, nearestPlace } from './nearest';
 import { boundaryNear, partOf } from './outlines';
 import type { Session } from './session';
-import { language, t } from '../texts';
+import { count, numbers, t, type Words } from '../texts';
+
+const amount = numbers({ maximumSignificantDigits: 3 });
 
 /** Letters of the name of a list. */
 const LONGEST_NAME = 60;
@@ -67,7 +70,7 @@ async function growLine(
   corners: readonly number[],
   to: number,
 ): Promise<void> {
-  const more = await engine.line(corners[corners.length - 1], to);
+  const more = await engine.line(corners.at(-1) ?? to, to);
   if (engine !== session.engine || !session.scene.state.sets.includes(line)) return;
   const points = [...line.points, ...atVertices([...more.subarray(1)])];
   replaceSet(session.scene, line, {
@@ -122,7 +125,7 @@ export async function addBoundary(session: Session, point: MeshPoint): Promise<v
     const vertex = place
       ? boundaryNear({ ...on, surface: { ...on.surface, positions: mesh.places.positions } }, place)
       : null;
-    if (vertex === null) throw new Error(t('This surface is closed: it has no boundary that could be a source.'));
+    if (vertex === null) throw new Failure(t('This surface is closed: it has no boundary that could be a source.'));
     return { kind: 'boundary', vertex };
   });
 }
@@ -131,8 +134,9 @@ export async function addBoundary(session: Session, point: MeshPoint): Promise<v
 function addWhole(scene: Scene, set: SourceSet): void {
   const { sets } = scene.state;
   const places = sets.reduce((sum, other) => sum + placesOf(other), placesOf(set));
-  if (places > MOST_POINTS) throw new Error(t`With these there are ${places} sources; up to ${MOST_POINTS} are taken.`);
-  if (sets.length >= MOST_SETS) throw new Error(t`A scene takes ${MOST_SETS} sets of sources; remove one first.`);
+  if (places > MOST_POINTS)
+    throw new Failure(t`With these there are ${places} sources; up to ${MOST_POINTS} are taken.`);
+  if (sets.length >= MOST_SETS) throw new Failure(t`A scene takes ${MOST_SETS} sets of sources; remove one first.`);
   addSet(scene, set);
 }
 
@@ -157,16 +161,16 @@ async function addFound(session: Session, shapeOn: (mesh: Mesh) => Promise<SetSh
  *
  * @throws where a row is none, with its line, and nothing is changed.
  */
-export function addList(session: Session, name: string, text: string): string {
+export function addList(session: Session, name: string, text: string): Words {
   const mesh = meshOf(session);
-  if (!mesh) throw new Error(t('There is no mesh yet.'));
+  if (!mesh) throw new Failure(t('There is no mesh yet.'));
   const { scene } = session;
   const { opened } = mesh;
   const placed = rowsOf(name, text).map((row) => placedOf(row, mesh));
   const farthest = placed.reduce((most, { away }) => Math.max(most, away), 0) / opened.drawTransform.scale;
-  const far = `${Number(farthest.toPrecision(3))} ${unitOf(scene.state, opened).symbol || t('units')}`;
-  const [first] = placed;
-  if (placed.length === 1) {
+  const far = t`${amount(farthest)} ${unitOf(scene.state, opened).symbol || t('units')}`;
+  const [first, ...others] = placed;
+  if (first && others.length === 0) {
     addSource(scene, first.source);
     return 'coordinates' in first.row.place ? t`Added, ${far} away from there.` : t('Added.');
   }
@@ -174,7 +178,9 @@ export function addList(session: Session, name: string, text: string): string {
   const short = name.replaceAll(/\p{Surrogate}/gu, '').slice(0, LONGEST_NAME);
   addWhole(scene, { shape: { kind: 'list', name: short }, points, offset: 0 });
   const isByPlace = placed.some(({ row }) => 'coordinates' in row.place);
-  return t`${points.length.toLocaleString(language)} sources added${isByPlace ? t`, at most ${far} away from where they were given` : ''}.`;
+  return isByPlace
+    ? t`${count(points.length)} sources added, at most ${far} away from where they were given.`
+    : t`${count(points.length)} sources added.`;
 }
 
 interface Placed {
@@ -190,7 +196,7 @@ function placedOf(row: Row, { opened, places }: Mesh): Placed {
     if (!places.has(place)) {
       const { inputVertices } = opened.report;
       const isThere = place.vertex < inputVertices;
-      throw new Error(
+      throw new Failure(
         isThere
           ? t`${at}: no triangle has vertex ${place.vertex}.`
           : t`${at}: there is no vertex ${place.vertex}; the mesh has ${inputVertices}, counted from 0.`,

@@ -10,6 +10,7 @@ import { Signal, until } from '../state/signal';
 import { legsOf, type Tape } from '../state/tapes';
 import type { Shown } from './prepare';
 import type { Session } from './session';
+import { entry } from '../state/entry';
 
 /**
  * What is known of a leg. `measuring`: nothing yet; `estimated`: a locally shortest path, while the exact one is searched;
@@ -34,7 +35,7 @@ export interface MeasuredTape {
 }
 
 /** What a tape tells, in the unit of the file; what is not known, or is none, is null. */
-export interface ToldTape {
+export interface TapeFigures {
   closed: boolean;
   legs: readonly { state: LegState; length: number | null; straight: number }[];
   length: number | null;
@@ -65,7 +66,7 @@ export function stateOf({ legs }: Pick<MeasuredTape, 'legs'>): LegState {
   return order.find((state) => legs.some((leg) => leg.state === state)) ?? 'exact';
 }
 
-export function told(measured: MeasuredTape): ToldTape {
+export function figuresOf(measured: MeasuredTape): TapeFigures {
   const length = lengthOf(measured);
   return {
     closed: measured.tape.closed,
@@ -154,7 +155,7 @@ export class Tapes {
     for (const { tape, legs, enclosure } of this.measured.value.toReversed()) {
       const open = legs.findIndex((leg) => !isKnown(leg));
       if (open >= 0) {
-        await this.#measure(basis, legsOf(tape)[open]);
+        await this.#measure(basis, entry(legsOf(tape), open));
         return true;
       }
       const paths = legs.flatMap(({ leg }) => (leg && 'triangles' in leg ? leg : []));

@@ -4,10 +4,12 @@ import { CLOSED_GATE, costOf, EVEN, type Ground, OPEN_GATE, WALL } from '../stat
 import type { Places } from '../state/places';
 import { parseColour } from '../state/styles';
 import type { Edges } from '../view/layers';
+import { entry } from '../state/entry';
+import { between, distance, type Vector, vectorAt } from '../state/vector';
 
 /** Colors by the power of two that it costs, from the cheapest on. */
+const CHEAPEST = [-10, '#2f8fd8'] as const;
 const SCALE: readonly (readonly [power: number, colour: string])[] = [
-  [-10, '#2f8fd8'],
   [-1, '#93aebd'],
   [1, '#dcb765'],
   [2, '#7a4a22'],
@@ -22,14 +24,12 @@ export const WALL_COLOURS = { wall: '#5d626e', gate: '#c8601f', open: '#4fae6b' 
 /** The color of a cost; that of even ground is none. */
 export function colourOfCost(cost: number): string {
   const power = Math.log2(cost);
-  const next = Math.max(
-    1,
-    SCALE.findIndex(([other]) => other >= power),
-  );
-  const [[low, dark], [high, light]] = [SCALE[next - 1], SCALE[next]];
+  const next = SCALE.findIndex(([other]) => other >= power);
+  const [low, dark] = SCALE[next - 1] ?? CHEAPEST;
+  const [high, light] = entry(SCALE, Math.max(0, next));
   const share = Math.min(1, Math.max(0, (power - low) / (high - low)));
-  const [from, to] = [parseColour(dark), parseColour(light)];
-  return `rgb(${from.map((value, k) => Math.round(value + share * (to[k] - value))).join(', ')})`;
+  const mixed = between(parseColour(dark), parseColour(light), share);
+  return `rgb(${mixed.map(Math.round).join(', ')})`;
 }
 
 /** Linear RGB and opacity, 255 for walls; of each code. */
@@ -46,8 +46,12 @@ function tintOf(code: number): [number, number, number, number] {
 }
 
 function linear(colour: string): [number, number, number] {
-  const [r, g, b] = parseColour(colour).map((value) => Math.round(255 * (value / 255) ** 2.2));
-  return [r, g, b];
+  const [r, g, b] = parseColour(colour);
+  return [linearChannel(r), linearChannel(g), linearChannel(b)];
+}
+
+function linearChannel(value: number): number {
+  return Math.round(255 * (value / 255) ** 2.2);
 }
 
 /** `#F × 4`. */
@@ -55,7 +59,7 @@ export function tintsOf({ faces }: Ground, { triangles }: DrawMesh): Uint8Array 
   const tints = new Uint8Array((4 * triangles.length) / 3);
   const [texels, table] = [new Uint32Array(tints.buffer), new Uint32Array(TINTS.buffer)];
   faces.forEach((code, face) => {
-    if (code !== EVEN) texels[face] = table[code];
+    if (code !== EVEN) texels[face] = entry(table, code);
   });
   return tints;
 }
@@ -64,8 +68,8 @@ export function tintsOf({ faces }: Ground, { triangles }: DrawMesh): Uint8Array 
 export function wallsOf({ lines }: Ground, places: Places): Edges[] {
   const ends = { wall: [] as number[], open: [] as number[] };
   for (const { vertices, open } of lines) {
-    const points = vertices.map((vertex) => places.at({ vertex })?.position ?? [0, 0, 0]);
-    for (let i = 1; i < points.length; i++) ends[open ? 'open' : 'wall'].push(...points[i - 1], ...points[i]);
+    const points = vertices.map((vertex): Vector => places.at({ vertex })?.position ?? [0, 0, 0]);
+    points.slice(1).forEach((to, index) => ends[open ? 'open' : 'wall'].push(...entry(points, index), ...to));
   }
   return (['wall', 'open'] as const).map((kind) => ({
     ends: Float32Array.from(ends[kind]),
@@ -81,12 +85,11 @@ export function costAlong(path: SurfacePath | null): ((arc: number) => number) |
   const scale = drawnLength > 0 ? length / drawnLength : 1;
   let arc = 0;
   const ends = Float64Array.from(segmentCosts, (_, i) => {
-    const [dx, dy, dz] = [0, 1, 2].map((k) => points[3 * i + 3 + k] - points[3 * i + k]);
-    arc += scale * Math.hypot(dx, dy, dz);
+    arc += scale * distance(vectorAt(points, i), vectorAt(points, i + 1));
     return arc;
   });
   return (at) => {
     const segment = ends.findIndex((end) => end > at);
-    return segmentCosts[segment < 0 ? segmentCosts.length - 1 : segment];
+    return entry(segmentCosts, segment < 0 ? segmentCosts.length - 1 : segment);
   };
 }

@@ -4,7 +4,7 @@
  * terminates its worker and touches nothing else.
  */
 import { proxy, transfer } from 'comlink';
-import type { MeshInput, OpenedMesh, Parameters, ProgressListener, Room } from '../protocol';
+import type { MeshInput, OpenedMesh, Parameters, ProgressListener, MemoryBudget } from '../protocol';
 import type { AUTOMATIC, Up } from '../wasm/contract';
 import wasmAddress from '../wasm/solver/heatwalk_worker_bg.wasm?url';
 import { Engine } from './engine';
@@ -16,11 +16,11 @@ export interface Wanted {
   parts: readonly number[];
   /** Of the heat method; with null, nothing is factored. */
   parameters: Parameters | null;
-  room: Room;
+  budget: MemoryBudget;
   up: Up | typeof AUTOMATIC;
   /** What a mesh of more triangles is simplified to; null: nothing is. */
   triangles: number | null;
-  /** What the surface encloses is filled with about so many tetrahedra; null: with none. */
+  /** What the surface encloses is filled with about this number of tetrahedra; null: with none. */
   fill: number | null;
 }
 
@@ -34,12 +34,12 @@ export class SolverClient {
   }
 
   /**
-   * `load` gives the input anew for each opening, because its buffers are handed over to the worker. `built` is told the
+   * `load` gives the input anew for each opening, because its buffers are handed over to the worker. `built` gets the
    * mesh while the worker goes on; where it throws, the opening ends.
    */
   async open(
     load: () => Promise<MeshInput>,
-    { parts, parameters, room, up, triangles, fill }: Wanted,
+    { parts, parameters, budget, up, triangles, fill }: Wanted,
     progress: ProgressListener,
     built: (opened: OpenedMesh) => void = () => undefined,
   ): Promise<Engine> {
@@ -49,8 +49,8 @@ export class SolverClient {
     this.#opening = worker;
     try {
       const input = await worker.call(load());
-      const given = transfer(input, buffersOf(input));
-      const opening = worker.api.open(given, [...parts], room, proxy(progress), up, triangles, fill);
+      const handedOver = transfer(input, buffersOf(input));
+      const opening = worker.api.open(handedOver, [...parts], budget, proxy(progress), up, triangles, fill);
       const opened = await worker.call(opening);
       const preparing = worker.call(worker.api.prepare(parameters, proxy(progress)));
       const telling = (async () => built(opened))();

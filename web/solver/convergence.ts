@@ -3,7 +3,7 @@ import type { FieldError } from '../protocol';
 import { type Level, levelsOf, split, type Studied } from '../state/convergence';
 import type { Settings } from '../state/settings';
 import { AUTOMATIC, type Method } from '../wasm/contract';
-import { aside, PLAIN_QUESTION } from './aside';
+import { inBackground, PLAIN_QUESTION } from './background';
 import type { Wanted } from './client';
 import type { Engine } from './engine';
 import { Cancelled } from './remote';
@@ -12,21 +12,21 @@ import { Cancelled } from './remote';
 type By = Pick<Settings, 'windows' | 'parameters'>;
 
 /**
- * Measures one surface after the other; `told` before each, `measured` after it. Ends with a rejection where `signal` is aborted, or
+ * Measures one surface after the other; `begun` is called before each, `measured` after it. Ends with a rejection where `signal` is aborted, or
  * where one cannot be measured.
  */
 export async function measureConvergence(
   surface: Studied,
   by: By,
   signal: AbortSignal,
-  told: (done: number, triangles: number) => void,
+  begun: (done: number, triangles: number) => void,
   measured: (level: Level) => void,
 ): Promise<void> {
   let each = surface;
   const levels = levelsOf(surface.triangles.length / 3);
   for (let done = 0; done < levels; done++) {
     if (done > 0) each = split(each);
-    told(done, each.triangles.length / 3);
+    begun(done, each.triangles.length / 3);
     measured(await measure(each, by, signal));
   }
 }
@@ -37,9 +37,9 @@ function measure({ positions, triangles, sources }: Studied, by: By, signal: Abo
   const parameters = { ...by.parameters, exactRadius: 0 };
   const load = () =>
     Promise.resolve({ kind: 'arrays', name: '', positions: positions.slice(), triangles: triangles.slice() } as const);
-  const room = { windows, memory: AUTOMATIC } as const;
-  const wanted: Wanted = { parts: [], parameters, room, up: 'y', triangles: null, fill: null };
-  return aside(load, wanted, signal, async (engine) => {
+  const budget = { windows, memory: AUTOMATIC } as const;
+  const wanted: Wanted = { parts: [], parameters, budget, up: 'y', triangles: null, fill: null };
+  return inBackground(load, wanted, signal, async (engine) => {
     const errorBy = (method: Method) => errorOf(engine, { ...PLAIN_QUESTION, windows, parameters, method, sources });
     const [heat, propagation] = [await errorBy('heat'), await errorBy('propagation')];
     return { triangles: triangles.length / 3, edge: engine.opened.meanEdge, heat, propagation };

@@ -55,7 +55,7 @@ export interface Question {
   from: MeshPoint | null;
   /** The kind of path that is wanted. The exact one takes long, so the straightened one is shown first. */
   pathKind: PathKind;
-  /** A small exact region, or what vertices carry, is enough. */
+  /** A small exact region, or the values of vertices, is enough. */
   quick: boolean;
 }
 

@@ -184,7 +184,7 @@ export class Refiner {
   }
 }
 
-/** Whether the most time that anything may take has passed since; what is told as idle does not count. */
+/** Whether the most time that anything may take has passed since; idle time does not count. */
 function deadline(): (idleMs: number) => boolean {
   let began = performance.now();
   return (idleMs) => {

@@ -1,20 +1,20 @@
 /** A worker of the solver, and the ways in which it can end. */
 import { type Remote, wrap } from 'comlink';
-import { toError } from '../error';
+import { Failure, toError } from '../error';
 import type { SolverApi } from '../protocol';
 import { OUT_OF_MEMORY } from '../wasm/contract';
 import { spawn } from './spawn';
 import { isOutOfMemory, isTrap } from './trap';
 import { t } from '../texts';
 
-export class Cancelled extends Error {
+export class Cancelled extends Failure {
   constructor() {
     super(t('Cancelled.'));
   }
 }
 
 /** The worker is gone: out of memory, or a defect. Its mesh must be opened again in another one. */
-export class WorkerLost extends Error {}
+export class WorkerLost extends Failure {}
 
 const NOT_STARTED = t('The solver could not be started.');
 

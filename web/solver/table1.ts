@@ -1,13 +1,14 @@
 /** Table 1 of the report on this device: each model in a worker of its own, beside the scene on screen. */
-import type { MeshInput, OpenedMesh, Parameters, Room, Source } from '../protocol';
+import type { MeshInput, OpenedMesh, Parameters, MemoryBudget, Source } from '../protocol';
 import { findPreset } from '../state/presets';
 import { median, type ModelOfReport, parametersOfReport, REPORT, type Row, type Times } from '../state/table1';
 import { AUTOMATIC } from '../wasm/contract';
-import { aside, PLAIN_QUESTION } from './aside';
+import { inBackground, PLAIN_QUESTION } from './background';
 import type { Wanted } from './client';
 import type { Engine } from './engine';
+import { entry } from '../state/entry';
 
-const ROOM: Room = { windows: 0, memory: AUTOMATIC };
+const BUDGET: MemoryBudget = { windows: 0, memory: AUTOMATIC };
 
 /** Sources whose solves are timed; conjugate gradients take longer. */
 const SOURCES = { cg: 3, cholesky: 9 } as const;
@@ -20,19 +21,19 @@ export interface TableProgress {
 }
 
 /**
- * Measures all models of the report, one after another; `told` before each, `measured` after it. Ends with a rejection where
+ * Measures all models of the report, one after another; `begun` is called before each, `measured` after it. Ends with a rejection where
  * `signal` is aborted, or where a model cannot be measured.
  */
 export async function measureTable(
   signal: AbortSignal,
-  told: (progress: TableProgress) => void,
+  begun: (progress: TableProgress) => void,
   measured: (row: Row) => void,
 ): Promise<void> {
   // Browsers optimise code while it runs: the first factors of a page take several times as long as later ones.
-  told({ done: 0, title: REPORT[0].title });
+  begun({ done: 0, title: REPORT[0].title });
   await measureModel(REPORT[0], signal);
   for (const [done, model] of REPORT.entries()) {
-    told({ done, title: model.title });
+    begun({ done, title: model.title });
     measured(await measureModel(model, signal));
   }
 }
@@ -40,8 +41,8 @@ export async function measureTable(
 function measureModel({ title, model, triangles }: ModelOfReport, signal: AbortSignal): Promise<Row> {
   const parameters = parametersOfReport('cg');
   const { load, parts } = modelOf(model);
-  const wanted: Wanted = { parts, parameters, room: ROOM, up: AUTOMATIC, triangles, fill: null };
-  return aside(load, wanted, signal, async (engine) => {
+  const wanted: Wanted = { parts, parameters, budget: BUDGET, up: AUTOMATIC, triangles, fill: null };
+  return inBackground(load, wanted, signal, async (engine) => {
     const { opened } = engine;
     const iterated = await timesOf(engine, parameters, SOURCES.cg);
     const factored = await timesOf(engine, parametersOfReport('cholesky'), SOURCES.cholesky);
@@ -72,6 +73,6 @@ function modelOf(model: ModelOfReport['model']): { load: () => Promise<MeshInput
 /** So many vertices, evenly spread over the numbers of those that are drawn. */
 function sample({ inputVertices }: OpenedMesh, count: number): Source[] {
   return Array.from({ length: count }, (_, index) => ({
-    vertex: inputVertices[Math.floor((index * inputVertices.length) / count)],
+    vertex: entry(inputVertices, Math.floor((index * inputVertices.length) / count)),
   }));
 }

@@ -9,6 +9,6 @@ export function isTrap(error: Error): boolean {
 /** Whether a call failed for want of memory, by a refusal or by a trap. */
 export function isOutOfMemory(error: Error): boolean {
   if (error.name === OUT_OF_MEMORY || error.name === TOO_LARGE) return true;
-  // The solver's panics say what broke. Memory that is refused ends it without a word of its own.
+  // The solver's panics say what broke; an allocation that fails traps without a message.
   return isTrap(error) && /memory|allocation|unreachable|invalid (typed )?array length/i.test(error.message);
 }

@@ -1,6 +1,7 @@
 /** The brush: which triangles a disc on the surface covers, and how strokes change the ground. */
 import { blend, CLOSED_GATE, codeOf, EVEN, type Ground, isCost, isWall, OPEN_GATE, WALL, withFaces } from './ground';
-import { type Vector, dot, minus } from './vector';
+import { cornersOf, distance, dot, minus, moved, type Vector, weighted } from './vector';
+import { entry } from './entry';
 
 export const MATERIALS = ['mud', 'sand', 'road', 'custom', 'wall', 'gate', 'eraser'] as const;
 export type Material = (typeof MATERIALS)[number];
@@ -104,9 +105,9 @@ export class Stroke {
       // Walls cover all that they touch, so that they have no holes; the rest what the disc covers half.
       const reach = isCost(this.#code) && face !== disc.face ? distanceToMiddle(terrain, face, disc.center) : away;
       const share = reach <= hard ? 1 : fade((reach - hard) / (disc.radius - hard));
-      if (share <= this.#shares[face]) continue;
+      if (share <= entry(this.#shares, face)) continue;
       this.#shares[face] = share;
-      faces[face] = painted(this.#before[face], this.#code, share);
+      faces[face] = painted(entry(this.#before, face), this.#code, share);
     }
     return withFaces(ground, faces);
   }
@@ -138,35 +139,26 @@ export function toggled(ground: Ground, neighbors: Uint32Array, face: number): G
   return filled(ground, ground.faces.length, area, code === OPEN_GATE ? CLOSED_GATE : OPEN_GATE);
 }
 
-type Triangle = readonly [Vector, Vector, Vector];
+const MIDDLE: Vector = [1 / 3, 1 / 3, 1 / 3];
 
-function cornersOf({ positions, triangles }: Terrain, face: number): Triangle {
-  const corner = (k: number): Vector => {
-    const first = 3 * triangles[3 * face + k];
-    return [positions[first], positions[first + 1], positions[first + 2]];
-  };
-  return [corner(0), corner(1), corner(2)];
-}
-
-function distanceToMiddle(terrain: Terrain, face: number, center: Vector): number {
-  const [a, b, c] = cornersOf(terrain, face);
-  return Math.hypot(...center.map((value, k) => value - (a[k] + b[k] + c[k]) / 3));
+function distanceToMiddle({ positions, triangles }: Terrain, face: number, center: Vector): number {
+  return distance(center, weighted(cornersOf(positions, triangles, face), MIDDLE));
 }
 
 /** From a point to the nearest one of a triangle. */
-function distanceTo(terrain: Terrain, face: number, point: Vector): number {
-  const [a, b, c] = cornersOf(terrain, face);
+function distanceTo({ positions, triangles }: Terrain, face: number, point: Vector): number {
+  const [a, b, c] = cornersOf(positions, triangles, face);
   const [ab, ac, ap] = [minus(b, a), minus(c, a), minus(point, a)];
   const [abab, abac, acac] = [dot(ab, ab), dot(ab, ac), dot(ac, ac)];
   const [apab, apac] = [dot(ap, ab), dot(ap, ac)];
   const whole = abab * acac - abac * abac;
   const [u, v] = [(acac * apab - abac * apac) / whole, (abab * apac - abac * apab) / whole];
-  if (u >= 0 && v >= 0 && u + v <= 1) return Math.hypot(...ap.map((value, k) => value - u * ab[k] - v * ac[k]));
+  if (u >= 0 && v >= 0 && u + v <= 1) return distance(ap, weighted([ab, ac, ap], [u, v, 0]));
   return Math.min(distanceToEdge(point, a, b), distanceToEdge(point, b, c), distanceToEdge(point, c, a));
 }
 
 function distanceToEdge(point: Vector, from: Vector, to: Vector): number {
   const [along, there] = [minus(to, from), minus(point, from)];
   const share = Math.min(1, Math.max(0, dot(there, along) / (dot(along, along) || 1)));
-  return Math.hypot(...there.map((value, k) => value - share * along[k]));
+  return distance(there, moved([0, 0, 0], along, share));
 }

@@ -4,6 +4,8 @@
  */
 import type { FieldError, OpenedMesh, Source } from '../protocol';
 import { markdownTable } from './markdown';
+import { entry } from './entry';
+import { between, type Vector, vectorAt } from './vector';
 
 /** Exact distances take more than their share of time on larger ones. */
 export const MOST_TRIANGLES = 200_000;
@@ -24,7 +26,7 @@ export interface Level {
   propagation: FieldError;
 }
 
-/** How many surfaces there are to measure: that of so many triangles and those that it is split into. */
+/** How many surfaces there are to measure: that of `triangles` and those that it is split into. */
 export function levelsOf(triangles: number): number {
   const levels = Math.floor(Math.log(MOST_TRIANGLES / triangles) / Math.log(4)) + 1;
   return Math.min(MOST_LEVELS, Math.max(0, levels));
@@ -56,15 +58,15 @@ export function split({ positions, triangles, sources }: Studied): Studied {
     const known = middles.get(key);
     if (known !== undefined) return known;
     const made = places.length / 3;
-    for (let axis = 0; axis < 3; axis++) places.push((positions[3 * a + axis] + positions[3 * b + axis]) / 2);
+    places.push(...between(vectorAt(positions, a), vectorAt(positions, b), 0.5));
     middles.set(key, made);
     return made;
   };
   const smaller = new Uint32Array(4 * triangles.length);
-  for (let first = 0; first < triangles.length; first += 3) {
-    const [a, b, c] = triangles.subarray(first, first + 3);
+  for (let face = 0; 3 * face < triangles.length; face++) {
+    const [a, b, c] = vectorAt(triangles, face);
     const [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
-    smaller.set([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], 4 * first);
+    smaller.set([a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca], 12 * face);
   }
   return { positions: Float32Array.from(places), triangles: smaller, sources: sources.map(within) };
 }
@@ -77,11 +79,11 @@ function within(source: Source): Source {
   const corner = weights.findIndex((weight) => weight > 0.5);
   if (corner < 0) {
     // Rounded, what is on its side may be beyond it.
-    const [first, second, third] = [u + v - w, v + w - u, w + u - v].map((weight) => Math.max(0, weight));
-    return { ...source, face: 4 * face + 3, weights: [first, second, third] };
+    const middle: Vector = [Math.max(0, u + v - w), Math.max(0, v + w - u), Math.max(0, w + u - v)];
+    return { ...source, face: 4 * face + 3, weights: middle };
   }
-  const inside = [2 * u, 2 * v, 2 * w] as [number, number, number];
-  inside[corner] = 2 * weights[corner] - 1;
+  const inside: Vector = [2 * u, 2 * v, 2 * w];
+  inside[corner] = 2 * entry(weights, corner) - 1;
   return { ...source, face: 4 * face + corner, weights: inside };
 }
 
@@ -92,11 +94,12 @@ function within(source: Source): Source {
 export function slopeOf(levels: readonly Level[], errorOf: (level: Level) => number): number | null {
   const points = levels
     .filter((level) => errorOf(level) > 0)
-    .map((level) => [Math.log(level.edge), Math.log(errorOf(level))]);
+    .map((level) => ({ edge: Math.log(level.edge), error: Math.log(errorOf(level)) }));
   if (points.length < 2) return null;
-  const [x, y] = [0, 1].map((axis) => points.reduce((sum, point) => sum + point[axis], 0) / points.length);
-  const spread = points.reduce((sum, point) => sum + (point[0] - x) ** 2, 0);
-  return points.reduce((sum, point) => sum + (point[0] - x) * (point[1] - y), 0) / spread;
+  const x = points.reduce((sum, { edge }) => sum + edge, 0) / points.length;
+  const y = points.reduce((sum, { error }) => sum + error, 0) / points.length;
+  const spread = points.reduce((sum, { edge }) => sum + (edge - x) ** 2, 0);
+  return points.reduce((sum, { edge, error }) => sum + (edge - x) * (error - y), 0) / spread;
 }
 
 const ERRORS: readonly (readonly [string, (level: Level) => number])[] = [

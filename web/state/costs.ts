@@ -1,6 +1,9 @@
 /** Costs that a file gives: rows of a CSV file, or numbers of vertices. */
+import { Failure } from '../error';
 import { codeOf, COSTS, WALL } from './ground';
-import { t } from '../texts';
+import { vectorAt } from './vector';
+import { t, type Words } from '../texts';
+import { entry } from './entry';
 
 /**
  * The codes of triangles by the rows of a CSV file: `triangle,cost`, a triangle alone or with the cost `inf` for a wall. Triangles are counted
@@ -14,13 +17,13 @@ export function codesOfRows(name: string, text: string, triangles: number): Uint
     if (row.trim() === '') return;
     const at = t`${name}, line ${index + 1}`;
     const cells = row.split(',').map((cell) => cell.trim());
-    const [triangle, cost = Infinity] = cells.map(numberOf);
+    const [triangle = Number.NaN, cost = Infinity] = cells.map(numberOf);
     if (Number.isNaN(triangle) && index === 0) return;
     if (cells.length > 2 || Number.isNaN(triangle) || Number.isNaN(cost)) {
-      throw new Error(t`${at}: give a triangle and its cost, such as 12,2.5; or a triangle alone for a wall.`);
+      throw new Failure(t`${at}: give a triangle and its cost, such as 12,2.5; or a triangle alone for a wall.`);
     }
     if (!(Number.isInteger(triangle) && triangle >= 0 && triangle < triangles)) {
-      throw new Error(t`${at}: there is no triangle ${triangle}; the mesh has ${triangles}, counted from 0.`);
+      throw new Failure(t`${at}: there is no triangle ${triangle}; the mesh has ${triangles}, counted from 0.`);
     }
     codes[triangle] = checkedCode(cost, at);
   });
@@ -34,9 +37,8 @@ export function codesOfRows(name: string, text: string, triangles: number): Uint
  */
 export function codesOfVertices(name: string, values: Float32Array, corners: Uint32Array): Uint8Array {
   return Uint8Array.from({ length: corners.length / 3 }, (_, triangle) => {
-    const mean =
-      (values[corners[3 * triangle]] + values[corners[3 * triangle + 1]] + values[corners[3 * triangle + 2]]) / 3;
-    return checkedCode(mean, t`The cost by ${name} at triangle ${triangle}`);
+    const sum = vectorAt(corners, triangle).reduce((before, corner) => before + entry(values, corner), 0);
+    return checkedCode(sum / 3, t`The cost by ${name} at triangle ${triangle}`);
   });
 }
 
@@ -45,11 +47,11 @@ function numberOf(cell: string): number {
   return cell === '' ? Number.NaN : Number(cell);
 }
 
-function checkedCode(cost: number, at: string): number {
+function checkedCode(cost: number, at: Words): number {
   if (cost === Infinity) return WALL;
-  // Written so that not a number is refused.
+  // Negated, so that NaN is rejected too.
   if (!(cost >= COSTS[0] && cost <= COSTS[1])) {
-    throw new Error(t`${at}: a cost is ${cost}; it must be from ${COSTS[0]} to ${COSTS[1]}, or inf for a wall.`);
+    throw new Failure(t`${at}: a cost is ${cost}; it must be from ${COSTS[0]} to ${COSTS[1]}, or inf for a wall.`);
   }
   return codeOf(cost);
 }

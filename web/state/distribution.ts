@@ -1,5 +1,7 @@
 /** How a field is distributed over the surface, and how far it was off by distance. */
 
+import { entry } from './entry';
+import { cornersOf, cross, minus, type Triangle, vectorAt } from './vector';
 /** Triangles with a value at each corner. */
 export interface Values {
   /** #D × 3. */
@@ -28,10 +30,10 @@ export function distributionOf({ positions, triangles, distance, byCorner }: Val
   /** Area that is below an edge and all after it. */
   const wholly = new Float64Array(bins + 2);
   let [reached, unreached] = [0, 0];
-  for (let first = 0; first < triangles.length; first += 3) {
-    const area = areaOf(positions, triangles, first);
-    const at = (k: number) => distance[byCorner ? first + k : triangles[first + k]];
-    const [p, q, r] = [at(0), at(1), at(2)];
+  for (let face = 0; 3 * face < triangles.length; face++) {
+    const area = areaOf(cornersOf(positions, triangles, face));
+    const [a, b, c] = byCorner ? [3 * face, 3 * face + 1, 3 * face + 2] : vectorAt(triangles, face);
+    const [p, q, r] = [entry(distance, a), entry(distance, b), entry(distance, c)];
     const [least, most] = [Math.min(p, q, r), Math.max(p, q, r)];
     if (most === Infinity) {
       unreached += area;
@@ -39,15 +41,17 @@ export function distributionOf({ positions, triangles, distance, byCorner }: Val
     }
     reached += area;
     const middle = Math.max(Math.min(p, q), Math.min(Math.max(p, q), r));
-    let edge = whole > 0 ? Math.min(bins, Math.max(0, Math.ceil((least / whole) * bins))) : 0;
-    for (; edge <= bins && edges[edge] < most; edge++) {
-      partly[edge] += area * shareBelow(least, middle, most, edges[edge]);
+    let index = whole > 0 ? Math.min(bins, Math.max(0, Math.ceil((least / whole) * bins))) : 0;
+    for (; index <= bins; index++) {
+      const edge = entry(edges, index);
+      if (edge >= most) break;
+      partly[index] = entry(partly, index) + area * shareBelow(least, middle, most, edge);
     }
-    wholly[edge] += area;
+    wholly[index] = entry(wholly, index) + area;
   }
   let sum = 0;
   const below = partly.map((area, edge) => {
-    sum += wholly[edge];
+    sum += entry(wholly, edge);
     return reached > 0 ? (sum + area) / reached : 0;
   });
   // The largest value itself belongs to the last bin; rounding may miss it.
@@ -75,9 +79,9 @@ export function errorsByDistance(errors: Float32Array, distance: Float32Array, b
   const whole = largest(distance);
   const sums = Array.from({ length: bins }, () => ({ count: 0, sum: 0, most: 0 }));
   errors.forEach((error, index) => {
-    const value = distance[index];
+    const value = entry(distance, index);
     if (!(value > 0 && value < Infinity)) return;
-    const bin = sums[Math.min(bins - 1, Math.floor((value / whole) * bins))];
+    const bin = entry(sums, Math.min(bins - 1, Math.floor((value / whole) * bins)));
     bin.count += 1;
     bin.sum += error;
     bin.most = Math.max(bin.most, error);
@@ -94,9 +98,6 @@ function largest(values: Float32Array): number {
   return values.reduce((most, value) => (value > most && value < Infinity ? value : most), 0);
 }
 
-function areaOf(p: Float32Array, triangles: Uint32Array, first: number): number {
-  const [a, b, c] = [3 * triangles[first], 3 * triangles[first + 1], 3 * triangles[first + 2]];
-  const [ux, uy, uz] = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
-  const [vx, vy, vz] = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
-  return Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
+function areaOf([a, b, c]: Triangle): number {
+  return Math.hypot(...cross(minus(b, a), minus(c, a))) / 2;
 }

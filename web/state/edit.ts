@@ -5,6 +5,7 @@ import type { Inside } from './inside';
 import type { Scene } from './history';
 import { upOf } from './scene';
 import { type SourceSet, withOffset } from './sources';
+import { entry } from './entry';
 
 export function setSource(scene: Scene, point: MeshPoint): void {
   scene.edit({ sources: [point], sets: [], selected: -1 });
@@ -16,7 +17,7 @@ export function addSource(scene: Scene, point: MeshPoint): void {
 
 export function moveSource(scene: Scene, index: number, point: MeshPoint, gesture: object): void {
   const { sources } = scene.state;
-  const source = withOffset(point, sources[index].offset ?? 0);
+  const source = withOffset(point, sources[index]?.offset ?? 0);
   scene.edit({ sources: sources.with(index, source), selected: index }, gesture);
 }
 
@@ -40,12 +41,10 @@ export function selectedSet(scene: Scene): SourceSet | undefined {
 /** Sets the initial distance of an entry of the list, in the unit of the file. */
 export function setInitialDistance(scene: Scene, index: number, offset: number, gesture: object): void {
   const { sources, sets } = scene.state;
-  if (index < sources.length) {
-    scene.edit({ sources: sources.with(index, withOffset(sources[index], offset)) }, gesture);
-  } else {
-    const set = sets[index - sources.length];
-    replaceSet(scene, set, { ...set, offset }, gesture);
-  }
+  const source = sources[index];
+  const set = sets[index - sources.length];
+  if (source) scene.edit({ sources: sources.with(index, withOffset(source, offset)) }, gesture);
+  else if (set) replaceSet(scene, set, { ...set, offset }, gesture);
 }
 
 /** Removes an entry of the list. */
@@ -74,5 +73,5 @@ export function lookInto(scene: Scene, change: Partial<Inside>, gesture: object)
 /** Draws the next axis upward, of a mesh that by itself has `upright` there. */
 export function turnUp(scene: Scene, upright: Up): void {
   const { names } = UP;
-  scene.edit({ up: names[(names.indexOf(upOf(scene.state, upright)) + 1) % names.length] });
+  scene.edit({ up: entry(names, (names.indexOf(upOf(scene.state, upright)) + 1) % names.length) });
 }

@@ -1,6 +1,7 @@
 /** Ground of different difficulty: what it costs to walk on each triangle, and walls; as bytes, and as text in a link. */
 import type { GroundChange } from '../protocol';
 import { pack, unpack } from './text';
+import { entry } from './entry';
 
 /** A wall along edges. */
 export interface WallLine {
@@ -106,7 +107,7 @@ export function fits({ faces, lines }: Ground, { triangles, inputVertices }: Siz
   return (faces.length === 0 || faces.length === triangles) && lines.every((line) => line.vertices.every(isThere));
 }
 
-/** What a worker has to be told. */
+/** What a worker has to know. */
 export function changeOf(before: Ground, after: Ground): GroundChange {
   const triangles: number[] = [];
   const count = Math.max(before.faces.length, after.faces.length);
@@ -141,7 +142,7 @@ export function encodeGround(ground: Ground): string {
     let end = first + 1;
     while (end < faces.length && faces[end] === faces[first]) end += 1;
     write(end - first);
-    bytes.push(faces[first]);
+    bytes.push(entry(faces, first));
     first = end;
   }
   write(lines.length);
@@ -169,9 +170,10 @@ export function decodeGround(text: string): Pick<Ground, 'faces' | 'lines'> | un
 function read(bytes: Uint8Array): Pick<Ground, 'faces' | 'lines'> {
   let at = 0;
   const byte = () => {
-    if (at >= bytes.length) throw new RangeError('cut off');
+    const next = bytes[at];
+    if (next === undefined) throw new RangeError('cut off');
     at += 1;
-    return bytes[at - 1];
+    return next;
   };
   const number = () => {
     let value = 0;

@@ -53,7 +53,7 @@ export class Scene {
     this.#replace({ ...this.#state, ...change });
   }
 
-  /** Changes what undo goes back over. All changes that carry the same `gesture` are one step of undo, as a drag is. */
+  /** Changes what undo goes back over. Changes with the same `gesture` are one step of undo, as a drag is. */
   edit(change: Partial<Undoable> & { selected?: number }, gesture: object | null = null): void {
     const next = withValidSelection({ ...this.#state, ...change });
     if (gesture === null || gesture !== this.#gesture) this.#past = bounded([...this.#past, stepTo(this.#state, next)]);

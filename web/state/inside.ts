@@ -2,7 +2,7 @@
 import type { InnerCut } from '../protocol';
 import type { Method } from '../wasm/contract';
 import type { Box } from './places';
-import { type Vector, dot, moved } from './vector';
+import { between, dot, minus, moved, type Vector } from './vector';
 
 /** Whether a mesh can be asked by a method: inside of tetrahedra distance is by heat, or by waves from vertex to vertex. */
 export function isMethodOf(method: Method, isInside: boolean): boolean {
@@ -62,7 +62,7 @@ export const INSIDE_NUMBERS = Object.keys(INSIDE_RANGES) as readonly (keyof type
 /** The narrowest spacing of shells but for none. */
 export const LEAST_SPACING = 0.02;
 
-/** Tetrahedra that a surface can be filled with, and with how many it is unless told otherwise. */
+/** Tetrahedra that a surface can be filled with, and the default. */
 export const FILLS = [1_000, 1_000_000] as const;
 export const DEFAULT_FILL = 60_000;
 
@@ -93,12 +93,13 @@ export function anglesOf([x, y, z]: Vector): Pick<Inside, 'turn' | 'tilt'> {
 export function middleOf(inside: Inside, box: Box): Vector {
   const direction = directionOf(inside);
   const away = inside.place * reachOf(direction, box);
-  return moved([center(box, 0), center(box, 1), center(box, 2)], direction, away);
+  return moved(between(...box, 0.5), direction, away);
 }
 
 /** How far a mesh reaches from its middle in a direction. */
 export function reachOf(direction: Vector, box: Box): number {
-  return direction.reduce((sum, along, axis) => sum + (Math.abs(along) * (box[1][axis] - box[0][axis])) / 2, 0);
+  const [x, y, z] = direction;
+  return dot([Math.abs(x), Math.abs(y), Math.abs(z)], minus(box[1], box[0])) / 2;
 }
 
 /** Unit normal and offset of each plane. */
@@ -114,11 +115,7 @@ function sideOf(inside: Inside, side: number): Vector {
   const ahead = directionOf(inside);
   const around = radians(inside.turn);
   const across: Vector = [Math.cos(around), 0, -Math.sin(around)];
-  return ahead.map((along, axis) => Math.cos(away) * along + side * Math.sin(away) * across[axis]) as Vector;
-}
-
-function center([low, high]: Box, axis: number): number {
-  return (low[axis] + high[axis]) / 2;
+  return moved(moved([0, 0, 0], ahead, Math.cos(away)), across, side * Math.sin(away));
 }
 
 function radians(angle: number): number {

@@ -1,4 +1,5 @@
 /** At which distances isolines are, and how a link writes it. */
+import { Failure } from '../error';
 import type { IsolineWish } from '../protocol';
 import { amount, parseAmount } from './text';
 import { t } from '../texts';
@@ -10,21 +11,24 @@ const MOST = 1000;
 export function parseIsolines(text: string): IsolineWish | null {
   const words = text.split(/[\s,;]+/).filter((word) => word !== '');
   const numbers = words.map(Number);
-  const bad = words.find((_, index) => !Number.isFinite(numbers[index]) || numbers[index] < 0);
-  if (bad !== undefined) throw new Error(t`${bad} is no distance. Give a spacing, or values with commas between them.`);
-  if (numbers.length === 0) return null;
+  const bad = words.find((word) => !(Number(word) >= 0 && Number(word) < Infinity));
+  if (bad !== undefined)
+    throw new Failure(t`${bad} is no distance. Give a spacing, or values with commas between them.`);
+  const [spacing] = numbers;
+  if (spacing === undefined) return null;
   if (numbers.length > MOST)
-    throw new Error(t`${numbers.length} values are too many; give at most ${MOST}, or a spacing.`);
+    throw new Failure(t`${numbers.length} values are too many; give at most ${MOST}, or a spacing.`);
   const isList = numbers.length > 1 || /[,;]/.test(text);
-  if (!isList && numbers[0] === 0) throw new Error(t('A spacing of 0 has no end of isolines. Give a larger one.'));
-  return isList ? { values: numbers, spacing: 0 } : { values: [], spacing: numbers[0] };
+  if (!isList && spacing === 0) throw new Failure(t('A spacing of 0 has no end of isolines. Give a larger one.'));
+  return isList ? { values: numbers, spacing: 0 } : { values: [], spacing };
 }
 
 /** What `parseIsolines` reads as the same. */
 export function isolinesText(wish: IsolineWish | null): string {
   if (!wish) return '';
   if (wish.values.length === 0) return amount(wish.spacing);
-  return wish.values.length === 1 ? `${amount(wish.values[0])},` : wish.values.map(amount).join();
+  const values = wish.values.map(amount).join();
+  return wish.values.length === 1 ? `${values},` : values;
 }
 
 /** In a link; `stripes` where isolines are at the period of these. */

@@ -49,7 +49,7 @@ import {
   rounded,
   within,
 } from './text';
-import { t } from '../texts';
+import { Phrase, t, type Words } from '../texts';
 
 const VERSION = '1';
 /** An hour: longer than any animation of a model. */
@@ -61,7 +61,7 @@ export interface Decoded {
   /** Null where the fragment names no mesh, or none that there can be. */
   state: SceneState | null;
   /** One sentence for each value that could not be used. */
-  notices: string[];
+  notices: Words[];
   /** Keys that mean nothing, or nothing any more. */
   unknown: string[];
 }
@@ -222,10 +222,10 @@ export function encodeLink(state: SceneState, start: SceneState): string {
 export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   // A plus sign is one: spaces are written as %20.
   const entries = new URLSearchParams(fragment.replace(/^#/, '').replaceAll('+', '%2B'));
-  const notices: string[] = [];
+  const notices: Words[] = [];
   const mesh = parseMesh(entries);
-  if (typeof mesh === 'string') notices.push(mesh);
-  if (mesh === null || typeof mesh === 'string') return { state: null, notices, unknown: [] };
+  if (mesh instanceof Phrase) notices.push(mesh);
+  if (mesh === null || mesh instanceof Phrase) return { state: null, notices, unknown: [] };
   const start = startOf(mesh);
   if (!start) {
     notices.push(t('The preset of this link does not exist; the first preset is shown.'));
@@ -265,7 +265,7 @@ function encodeMesh(mesh: MeshReference): [string, string][] {
 }
 
 /** Null where none is named; a sentence where an address is none of a file on a server. */
-function parseMesh(entries: URLSearchParams): MeshReference | string | null {
+function parseMesh(entries: URLSearchParams): MeshReference | Phrase | null {
   const [m, model] = [entries.get('m'), entries.get('model')];
   const [name, hash] = [entries.get('name') ?? '', entries.get('hash') ?? ''];
   if (model !== null) {

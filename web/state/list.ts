@@ -1,7 +1,8 @@
 /** Lists of sources as rows of text: a CSV file, what is pasted, what is typed. */
+import { Failure } from '../error';
 import { MOST_POINTS } from './sources';
 import type { Vector } from './vector';
-import { t } from '../texts';
+import { t, type Words } from '../texts';
 
 /** Where a source is to be: at a vertex of the input, or at the place of the surface that is nearest to coordinates. */
 export type RowPlace = { vertex: number } | { coordinates: Vector };
@@ -11,7 +12,7 @@ export interface Row {
   /** Initial distance. */
   offset: number;
   /** What a message names it by. */
-  at: string;
+  at: Words;
 }
 
 const SEPARATORS = /\s*[,;\t]\s*|\s+/;
@@ -50,35 +51,35 @@ export function rowsOf(name: string, text: string): Row[] {
   const rows = rowsIn(text);
   const named = rows[0] && columnsNamed(rows[0].cells);
   if (named || (rows[0] && rows[0].cells.every((cell) => Number.isNaN(numberIn(cell))))) rows.shift();
-  if (rows.length === 0) throw new Error(t`${name} has no sources. ${FORMS}`);
+  if (rows.length === 0) throw new Failure(t`${name} has no sources. ${FORMS}`);
   if (rows.length > MOST_POINTS) {
-    throw new Error(t`${name} has ${rows.length} sources; up to ${MOST_POINTS} are taken.`);
+    throw new Failure(t`${name} has ${rows.length} sources; up to ${MOST_POINTS} are taken.`);
   }
   const isOne = rows.length === 1 && !named;
   return rows.map(({ cells, line }) => {
     const at = isOne ? name : t`${name}, line ${line}`;
     const columns = named ?? columnsOf(cells);
-    if (!columns) throw new Error(t`${at}: “${cells.join(' ').slice(0, 40)}” is no source. ${FORMS}`);
+    if (!columns) throw new Failure(t`${at}: “${cells.join(' ').slice(0, 40)}” is no source. ${FORMS}`);
     return rowOf(cells, columns, at);
   });
 }
 
-function rowOf(cells: readonly string[], { vertex, axes, offset: own }: Columns, at: string): Row {
+function rowOf(cells: readonly string[], { vertex, axes, offset: own }: Columns, at: Words): Row {
   const valueAt = (column: number) => numberIn(cells[column] ?? '');
   const offset = own < 0 || (cells[own] ?? '') === '' ? 0 : valueAt(own);
-  // Written so that not a number is refused.
+  // Negated, so that NaN is rejected too.
   if (!(offset >= 0 && offset < Infinity)) {
-    throw new Error(t`${at}: an initial distance is a number from 0 on, not “${(cells[own] ?? '').slice(0, 40)}”.`);
+    throw new Failure(t`${at}: an initial distance is a number from 0 on, not “${(cells[own] ?? '').slice(0, 40)}”.`);
   }
   if (vertex >= 0) {
     const index = valueAt(vertex);
     if (!(Number.isInteger(index) && index >= 0)) {
-      throw new Error(t`${at}: a vertex is a whole number from 0 on, not “${(cells[vertex] ?? '').slice(0, 40)}”.`);
+      throw new Failure(t`${at}: a vertex is a whole number from 0 on, not “${(cells[vertex] ?? '').slice(0, 40)}”.`);
     }
     return { place: { vertex: index }, offset, at };
   }
-  const [x, y, z] = axes.map(valueAt);
-  if (![x, y, z].every(Number.isFinite)) throw new Error(t`${at}: x, y and z must be numbers.`);
+  const [x = NaN, y = NaN, z = NaN] = axes.map(valueAt);
+  if (![x, y, z].every(Number.isFinite)) throw new Failure(t`${at}: x, y and z must be numbers.`);
   return { place: { coordinates: [x, y, z] }, offset, at };
 }
 

@@ -1,5 +1,6 @@
 /** Which parts of a file the triangles of its surface belong to. Triangles keep the order of the file, in which a part has ranges. */
 import type { OpenedMesh } from '../protocol';
+import { entry } from './entry';
 
 /** The parts of a file, and which of them are the surface. */
 type Parts = Pick<OpenedMesh, 'parts' | 'active'>;
@@ -16,7 +17,7 @@ interface Range {
   count: number;
 }
 
-/** #F, the part of each triangle; null where triangles of the file were removed, for then it cannot be told. */
+/** #F, the part of each triangle; null where triangles of the file were removed, which leaves it unknown. */
 export function partsOfFaces({ parts, active, surface }: Parted): Uint32Array | null {
   const ranges = rangesOf({ parts, active });
   const all = ranges.reduce((sum, { count }) => sum + count, 0);
@@ -42,8 +43,11 @@ export function triangleOfFile(opened: Parts, face: number): number {
 
 function rangesOf({ parts, active }: Parts): Range[] {
   const ranges = active.flatMap((part) => {
-    const ends = Array.from(parts[part].ranges);
-    return ends.flatMap((first, index) => (index % 2 === 0 ? [{ part, first, count: ends[index + 1] - first }] : []));
+    const { ranges: ends } = entry(parts, part);
+    return Array.from({ length: ends.length / 2 }, (_, index) => {
+      const first = entry(ends, 2 * index);
+      return { part, first, count: entry(ends, 2 * index + 1) - first };
+    });
   });
   return ranges.toSorted((a, b) => a.first - b.first);
 }

@@ -1,6 +1,7 @@
 /** Where surface points lie on the drawn mesh, and what holds there. */
 import type { DistanceField, DrawPose, OpenedMesh, MeshPoint } from '../protocol';
-import { distance, normalized, type Vector } from './vector';
+import { distance, dot, moved, normalized, type Vector, vectorAt } from './vector';
+import { entry } from './entry';
 
 /** Least and greatest corner of a box. */
 export type Box = readonly [Vector, Vector];
@@ -67,9 +68,8 @@ export class Places {
       return drawn < 0 ? null : { corners: [drawn, drawn, drawn], weights: [1, 0, 0] };
     }
     const { triangles } = this.#mesh.surface;
-    const first = 3 * point.face;
-    if (first + 2 >= triangles.length) return null;
-    return { corners: [triangles[first], triangles[first + 1], triangles[first + 2]], weights: point.weights };
+    if (3 * point.face + 2 >= triangles.length) return null;
+    return { corners: vectorAt(triangles, point.face), weights: point.weights };
   }
 
   /** `#D × 3`, where drawn vertices are. */
@@ -118,7 +118,7 @@ export class Places {
     const { surface, inputVertices } = this.#mesh;
     let least = Infinity;
     surface.triangles.forEach((drawn, corner) => {
-      if (inputVertices[drawn] === vertex) least = Math.min(least, values[corner]);
+      if (inputVertices[drawn] === vertex) least = Math.min(least, entry(values, corner));
     });
     return least;
   }
@@ -127,34 +127,26 @@ export class Places {
   nearestVertex(point: MeshPoint): number {
     if ('vertex' in point) return point.vertex;
     const { surface, inputVertices } = this.#mesh;
-    if ('tetrahedron' in point) {
-      const corners = this.#inner(point)?.corners ?? [0];
-      return corners[point.weights.indexOf(Math.max(...point.weights))];
-    }
-    const corner = point.weights.indexOf(Math.max(...point.weights));
-    return inputVertices[surface.triangles[3 * point.face + corner]];
+    const heaviest = point.weights.indexOf(Math.max(...point.weights));
+    if ('tetrahedron' in point) return this.#inner(point)?.corners[heaviest] ?? 0;
+    return entry(inputVertices, entry(surface.triangles, 3 * point.face + heaviest));
   }
 
   /** The vertex that lies farthest in a direction. */
-  extreme([x, y, z]: Vector): MeshPoint {
+  extreme(direction: Vector): MeshPoint {
     const { surface, inputVertices } = this.#mesh;
-    return {
-      vertex:
-        inputVertices[
-          indexOfMax(inputVertices.length, (drawn) => {
-            const p = surface.positions;
-            return x * p[3 * drawn] + y * p[3 * drawn + 1] + z * p[3 * drawn + 2];
-          })
-        ],
-    };
+    const drawn = indexOfMax(inputVertices.length, (index) => dot(direction, vectorAt(surface.positions, index)));
+    return { vertex: entry(inputVertices, drawn) };
   }
 
   /** The vertex with the largest finite value. */
   farthest({ distance: values, byCorner }: Values): MeshPoint {
-    const value = (index: number) => (Number.isFinite(values[index]) ? values[index] : Number.NEGATIVE_INFINITY);
-    const best = indexOfMax(values.length, value);
+    const best = indexOfMax(values.length, (index) => {
+      const value = entry(values, index);
+      return Number.isFinite(value) ? value : Number.NEGATIVE_INFINITY;
+    });
     const { surface, inputVertices } = this.#mesh;
-    return { vertex: inputVertices[byCorner ? surface.triangles[best] : best] };
+    return { vertex: entry(inputVertices, byCorner ? entry(surface.triangles, best) : best) };
   }
 }
 
@@ -173,24 +165,27 @@ function indexOfMax(count: number, value: (index: number) => number): number {
 
 /** A corner out of reach counts only where it has a weight. */
 function interpolated(values: Float32Array, corners: readonly number[], weights: readonly number[]): number {
-  return corners.reduce((sum, corner, i) => sum + (weights[i] === 0 ? 0 : weights[i] * values[corner]), 0);
+  return corners.reduce((sum, corner, i) => {
+    const weight = entry(weights, i);
+    return weight === 0 ? sum : sum + weight * entry(values, corner);
+  }, 0);
 }
 
 function blend(values: Float32Array, corners: readonly number[], weights: readonly number[]): Vector {
-  const out: Vector = [0, 0, 0];
-  for (let k = 0; k < 3; k++) {
-    for (let i = 0; i < corners.length; i++) out[k] += weights[i] * values[3 * corners[i] + k];
-  }
-  return out;
+  const origin: Vector = [0, 0, 0];
+  return corners.reduce((sum, corner, i) => moved(sum, vectorAt(values, corner), entry(weights, i)), origin);
 }
 
 /** Least and greatest corner of the box around points. */
 export function boxAround(positions: Float32Array): Box {
-  const low: Vector = [Infinity, Infinity, Infinity];
-  const high: Vector = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i++) {
-    low[i % 3] = Math.min(low[i % 3], positions[i]);
-    high[i % 3] = Math.max(high[i % 3], positions[i]);
+  let [low, high]: Box = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ];
+  for (let index = 0; 3 * index < positions.length; index++) {
+    const [x, y, z] = vectorAt(positions, index);
+    low = [Math.min(low[0], x), Math.min(low[1], y), Math.min(low[2], z)];
+    high = [Math.max(high[0], x), Math.max(high[1], y), Math.max(high[2], z)];
   }
   return [low, high];
 }

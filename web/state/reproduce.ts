@@ -1,4 +1,5 @@
 /** The lines that reproduce the numbers of a scene with the program `heatwalk`. */
+import { Failure } from '../error';
 import type { DistanceField, InnerPoint, OpenedMesh, Source } from '../protocol';
 import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
 import { isPainted } from './ground';
@@ -50,21 +51,22 @@ export function commandLine(measured: Measured): string {
  * @throws Error with the reason.
  */
 export function reproducedSources({ state, opened }: Measured, place: keyof typeof PLACES): SurfaceSource[] {
-  if (opened.interior) throw new Error(t('Distances inside of tetrahedra made on this page have no lines.'));
-  if (opened.simplified) throw new Error(t('The mesh was simplified on this page; save it, and open the saved mesh.'));
+  if (opened.interior) throw new Failure(t('Distances inside of tetrahedra made on this page have no lines.'));
+  if (opened.simplified)
+    throw new Failure(t('The mesh was simplified on this page; save it, and open the saved mesh.'));
   const { slope, highest } = state.ground;
   if (isPainted(state.ground) || slope || highest !== 1)
-    throw new Error(t('Paint, walls and slopes of this page have no lines.'));
+    throw new Failure(t('Paint, walls and slopes of this page have no lines.'));
   const sources = allSources(state);
   if (sources.length > MOST_SOURCES)
-    throw new Error(t`${PLACES[place]} has room for ${MOST_SOURCES} sources, and these are ${sources.length}.`);
+    throw new Failure(t`${PLACES[place]} has room for ${MOST_SOURCES} sources, and these are ${sources.length}.`);
   // The page counts the triangles that were kept, with the corners that they have since.
   const { degenerateFaces, duplicateFaces, flippedFaces } = opened.report;
   const isAsInFile = degenerateFaces + duplicateFaces + flippedFaces === 0;
   return sources.map((source) => {
-    if ('tetrahedron' in source) throw new Error(t('A source inside of tetrahedra has no place on a surface.'));
+    if ('tetrahedron' in source) throw new Failure(t('A source inside of tetrahedra has no place on a surface.'));
     if ('face' in source && !isAsInFile)
-      throw new Error(
+      throw new Failure(
         t('Triangles of the file were left out or flipped, so sources are only found again at vertices.'),
       );
     return 'face' in source ? inFile(opened, source) : source;

@@ -142,7 +142,7 @@ function laid(open: string, items: readonly string[], close: string, space: '' |
 /** Names from the crate: on one line where they fit, else as many a line as do. */
 function imported(names: readonly string[]): string[] {
   const line = `use heatwalk::{${names.join(', ')}};`;
-  // The formatter keeps room for what could follow.
+  // rustfmt leaves space for what could follow.
   if (line.length <= WIDTH - 2) return [line];
   const lines = [INDENT.trimEnd()];
   for (const name of names) {

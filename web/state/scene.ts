@@ -78,13 +78,13 @@ export const LIGHTS = ['style', 'file'] as const;
 /** Triangles that a mesh can be simplified to: from a shape that can be recognised to more than fit. */
 export const TRIANGLES = [100, 100_000_000] as const;
 
-/** Units that lengths can be told in, or none. */
+/** Units of lengths, or none. */
 export const UNITS = ['mm', 'cm', 'm', 'km', 'in', 'ft', 'none'] as const;
 
 /** The unit of the file, or the one that its size suggests; or one of these. By itself it only labels lengths: `scale` converts them. */
 export type UnitChoice = (typeof UNITS)[number] | typeof AUTOMATIC;
 
-/** What lengths are told in: a symbol, or nothing; and whether only the size of the mesh suggests it. */
+/** The unit of lengths: a symbol, or nothing; and whether only the size of the mesh suggests it. */
 export interface LengthUnit {
   symbol: string;
   assumed: boolean;
@@ -101,9 +101,9 @@ export interface SceneState extends Settings {
   mesh: MeshReference;
   /** Indices of the active parts; empty: all. */
   parts: readonly number[];
-  /** A mesh of more triangles is simplified to so many; null: it is as in its file. */
+  /** A mesh of more triangles is simplified to this number; null: it is as in its file. */
   triangles: number | null;
-  /** What the surface encloses is filled with about so many tetrahedra; null: with none. */
+  /** What the surface encloses is filled with about this number of tetrahedra; null: with none. */
   fill: number | null;
   /** As `Viewer.camera` gives it; null until the user has moved it. */
   camera: readonly number[] | null;
@@ -120,7 +120,7 @@ export interface SceneState extends Settings {
   /** The axis of the file that points up where it is drawn; automatic: by its format or its shape. */
   up: Up | typeof AUTOMATIC;
   unit: UnitChoice;
-  /** Length of the file's unit in the unit that lengths are told in; 1 unless a known length says otherwise. */
+  /** Length of the file's unit in the unit of the page; 1 unless a known length says otherwise. */
   scale: number;
   /** What is measured. */
   tapes: readonly Tape[];
@@ -199,7 +199,7 @@ export function mayBeJoined({ report, interior }: OpenedMesh): boolean {
   return interior === null && (report.components > 1 || report.boundaryLoops > 0);
 }
 
-/** What the lengths of a mesh are told in. */
+/** The unit in which lengths of a mesh are shown. */
 export function unitOf(
   { unit, scale }: Pick<SceneState, 'unit' | 'scale'>,
   opened: Pick<OpenedMesh, 'unit' | 'unitAssumed'>,
@@ -208,7 +208,7 @@ export function unitOf(
   return { symbol: unit === 'none' ? '' : unit, assumed: false, scale };
 }
 
-/** Whether lengths are told alike. */
+/** Whether lengths are shown in the same unit. */
 export function isSameUnit(
   one: Pick<SceneState, 'unit' | 'scale'>,
   other: Pick<SceneState, 'unit' | 'scale'>,

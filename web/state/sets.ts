@@ -78,7 +78,7 @@ function encodeShape(shape: SetShape, points: readonly Source[]): string {
 }
 
 function parseSet(text: string): SourceSet | undefined {
-  const [whole, start, ...more] = text.split('@');
+  const [whole = '', start, ...more] = text.split('@');
   const [kind, ...rest] = whole.split(':');
   const offset = start === undefined ? 0 : parseAmount(start);
   const places = rest.pop();
@@ -102,7 +102,7 @@ function parseSet(text: string): SourceSet | undefined {
     case 'part':
       return index === undefined ? undefined : of({ kind, part: index }, []);
     case 'list':
-      return of({ kind, name: decodeURIComponent(rest[0]) }, parsePoints(places));
+      return of({ kind, name: decodeURIComponent(rest.join(':')) }, parsePoints(places));
     default:
       return undefined;
   }
@@ -137,11 +137,11 @@ function parsePoints(text: string): Source[] | undefined {
   const found: Source[] = [];
   let index = 0;
   for (const word of text.split('_')) {
-    const match = /^(-?\d{1,9})((?:\/\d{1,5}){0,3})(?:\*(.+))?$/.exec(word);
-    const offset = match?.[3] === undefined ? 0 : parseAmount(match[3]);
-    if (!match || offset === undefined || found.length === MOST_POINTS) return undefined;
-    index += Number(match[1]);
-    const point = index < 0 ? undefined : pointOf(index, match[2].split('/').slice(1).map(Number));
+    const [isPoint, step, steps = '', start] = /^(-?\d{1,9})((?:\/\d{1,5}){0,3})(?:\*(.+))?$/.exec(word) ?? [];
+    const offset = start === undefined ? 0 : parseAmount(start);
+    if (isPoint === undefined || offset === undefined || found.length === MOST_POINTS) return undefined;
+    index += Number(step);
+    const point = index < 0 ? undefined : pointOf(index, steps.split('/').slice(1).map(Number));
     if (!point) return undefined;
     found.push(withOffset(point, offset));
   }
@@ -151,7 +151,7 @@ function parsePoints(text: string): Source[] | undefined {
 function pointOf(index: number, steps: readonly number[]): MeshPoint | undefined {
   const rest = STEPS - steps.reduce((sum, step) => sum + step, 0);
   if (rest < 0 || steps.length === 1) return undefined;
-  const [a, b, c, d] = [...steps, rest].map((step) => step / STEPS);
+  const [a = 0, b = 0, c = 0, d = 0] = [...steps, rest].map((step) => step / STEPS);
   if (steps.length === 0) return { vertex: index };
   return steps.length === 2 ? { face: index, weights: [a, b, c] } : { tetrahedron: index, weights: [a, b, c, d] };
 }

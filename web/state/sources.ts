@@ -46,7 +46,7 @@ interface Both {
 
 const JOINED = new WeakMap<readonly SourceSet[], { sources: readonly Source[]; all: readonly Source[] }>();
 
-/** All sources of a scene, one by one: the same array for the same scene, by which answers are told apart. */
+/** All sources of a scene, one by one: the same array for the same scene, which tells answers apart. */
 export function allSources({ sources, sets }: Both): readonly Source[] {
   if (sets.length === 0) return sources;
   const known = JOINED.get(sets);

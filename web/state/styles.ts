@@ -8,6 +8,8 @@ import {
   interpolateYlGnBu,
 } from 'd3-scale-chromatic';
 import type { StripeBlend, Surroundings } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu';
+import { entry } from './entry';
+import { between } from './vector';
 
 /** 0 to 1 to a CSS colour, `#rrggbb` or `rgb(r, g, b)`. */
 type Interpolator = (t: number) => string;
@@ -158,7 +160,7 @@ export const MODEL_STYLE = preset('model', 'chalk', '#14161a', {
   surfaceOf: 'file',
 });
 
-export const STYLES: readonly Style[] = [
+export const STYLES: readonly [Style, ...Style[]] = [
   preset('zebra', 'chalk', '#17181b', {}),
   MODEL_STYLE,
   preset('gold', 'gold', '#5a3a0e', {
@@ -285,7 +287,7 @@ export function parseColour(css: string): [number, number, number] {
     const value = Number.parseInt(css.slice(1), 16);
     return [(value >> 16) & 255, (value >> 8) & 255, value & 255];
   }
-  const [red, green, blue] = (css.match(/[\d.]+/g) ?? ['0', '0', '0']).map(Number);
+  const [red = 0, green = 0, blue = 0] = (css.match(/[\d.]+/g) ?? []).map(Number);
   return [Math.round(red), Math.round(green), Math.round(blue)];
 }
 
@@ -294,7 +296,7 @@ function stops(...colours: string[]): Interpolator {
   return (t) => {
     const place = t * (parsed.length - 1);
     const left = Math.min(Math.floor(place), parsed.length - 2);
-    const mixed = parsed[left].map((value, i) => Math.round(value + (place - left) * (parsed[left + 1][i] - value)));
-    return `rgb(${mixed.join(', ')})`;
+    const mixed = between(entry(parsed, left), entry(parsed, left + 1), place - left);
+    return `rgb(${mixed.map(Math.round).join(', ')})`;
   };
 }

@@ -2,6 +2,7 @@
 import type { Parameters } from '../protocol';
 import { DEFAULT_PARAMETERS } from '../wasm/contract';
 import { markdownTable } from './markdown';
+import { entry } from './entry';
 
 /** Milliseconds. */
 export interface Times {
@@ -27,7 +28,7 @@ export interface Row {
 }
 
 /** The report's models with its times, by ALGLIB in C# on a laptop of 2015. */
-export const REPORT: readonly ModelOfReport[] = [
+export const REPORT: readonly [ModelOfReport, ...ModelOfReport[]] = [
   reported('High Genus', { preset: 'high_genus' }, 3328, [34, 27], [64, 8.9]),
   reported('Bague', { preset: 'ring' }, 5304, [55, 60], [109, 17]),
   reported('Cow', { preset: 'animal' }, 5804, [62, 109], [335, 16]),
@@ -76,12 +77,12 @@ export function milliseconds(time: number): string {
   return time >= 100 ? time.toFixed(0) : time.toFixed(1);
 }
 
-/** A table in Markdown; `device` is told below it. */
+/** A table in Markdown; `device` is named below it. */
 export function markdownOf(rows: readonly Row[], device: string): string {
-  const told = rows.map((row) =>
+  const cells = rows.map((row) =>
     cellsOf(row).map((cell, index) => (typeof cell === 'number' && index > 1 ? milliseconds(cell) : String(cell))),
   );
-  return `${markdownTable(HEAD, told, [0])}\nMeasured by Heatwalk in ${device}.\n`;
+  return `${markdownTable(HEAD, cells, [0])}\nMeasured by Heatwalk in ${device}.\n`;
 }
 
 export function csvOf(rows: readonly Row[]): string {
@@ -92,5 +93,5 @@ export function csvOf(rows: readonly Row[]): string {
 export function median(values: readonly number[]): number {
   const sorted = values.toSorted((a, b) => a - b);
   const middle = sorted.length / 2;
-  return (sorted[Math.ceil(middle) - 1] + sorted[Math.floor(middle)]) / 2;
+  return (entry(sorted, Math.ceil(middle) - 1) + entry(sorted, Math.floor(middle))) / 2;
 }

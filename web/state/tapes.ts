@@ -1,7 +1,8 @@
-/** Measuring tapes: chains of places between which lengths are told, and the scale that lengths are told in. */
+/** Measuring tapes: chains of places between which lengths are measured, and the scale of lengths. */
 import type { MeshPoint } from '../protocol';
 import { POINTS } from './points';
 import type { Codec } from './text';
+import { entry } from './entry';
 
 /** A chain of places, in order; a closed one leads back to its first. */
 export interface Tape {
@@ -9,7 +10,7 @@ export interface Tape {
   closed: boolean;
 }
 
-/** Least and greatest length of the file's unit in the unit that lengths are told in. */
+/** Least and greatest length of the file's unit in the unit of the page. */
 export const SCALES = [1e-12, 1e12] as const;
 
 /** A closed tape has a corner more than a tape there and back. */
@@ -20,8 +21,9 @@ const CLOSED = '!';
 
 /** The ends of each leg of a tape. */
 export function legsOf({ points, closed }: Tape): (readonly [MeshPoint, MeshPoint])[] {
-  const legs = points.slice(1).map((to, index) => [points[index], to] as const);
-  return closed && points.length > 1 ? [...legs, [points[points.length - 1], points[0]]] : legs;
+  const [first, ...others] = points;
+  const ends = closed && first && others.length > 0 ? [...others, first] : others;
+  return ends.map((to, index) => [entry(points, index), to] as const);
 }
 
 /** Whether it has places enough to be closed, and is open. */
@@ -36,19 +38,24 @@ export function extended(tapes: readonly Tape[], index: number, point: MeshPoint
   return tapes.with(index, { ...tape, points: [...tape.points, point] });
 }
 
+function change(tapes: readonly Tape[], index: number, part: (tape: Tape) => Partial<Tape>): Tape[] {
+  const tape = entry(tapes, index);
+  return tapes.with(index, { ...tape, ...part(tape) });
+}
+
 export function moved(tapes: readonly Tape[], index: number, place: number, point: MeshPoint): Tape[] {
-  return tapes.with(index, { ...tapes[index], points: tapes[index].points.with(place, point) });
+  return change(tapes, index, ({ points }) => ({ points: points.with(place, point) }));
 }
 
 export function close(tapes: readonly Tape[], index: number): Tape[] {
-  return tapes.with(index, { ...tapes[index], closed: true });
+  return change(tapes, index, () => ({ closed: true }));
 }
 
 /** Without a place; a tape without places is none, and one with two is open. */
 export function withoutPlace(tapes: readonly Tape[], index: number, place: number): Tape[] {
-  const points = tapes[index].points.toSpliced(place, 1);
+  const points = entry(tapes, index).points.toSpliced(place, 1);
   if (points.length === 0) return tapes.toSpliced(index, 1);
-  return tapes.with(index, { points, closed: tapes[index].closed && points.length >= LEAST_CLOSED });
+  return change(tapes, index, ({ closed }) => ({ points, closed: closed && points.length >= LEAST_CLOSED }));
 }
 
 /** Places with commas between them, tapes with semicolons; undefined where anything is no tape. */

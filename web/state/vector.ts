@@ -1,5 +1,7 @@
 /** Vectors of three numbers, alone and in arrays that have three numbers for each. */
 
+import { entry } from './entry';
+
 export type Vector = [number, number, number];
 
 export function minus(a: Vector, b: Vector): Vector {
@@ -36,5 +38,23 @@ export function normalized(vector: Vector): Vector {
 
 /** The vector of an index in an array of them, #V × 3. */
 export function vectorAt(array: ArrayLike<number>, index: number): Vector {
-  return [array[3 * index], array[3 * index + 1], array[3 * index + 2]];
+  return [entry(array, 3 * index), entry(array, 3 * index + 1), entry(array, 3 * index + 2)];
+}
+
+/** All vectors of an array. */
+export function vectorsIn(array: ArrayLike<number>): Vector[] {
+  return Array.from({ length: array.length / 3 }, (_, index) => vectorAt(array, index));
+}
+
+export type Triangle = readonly [Vector, Vector, Vector];
+
+/** Where the corners of a triangle are: `positions` #V × 3, `triangles` #F × 3. */
+export function cornersOf(positions: ArrayLike<number>, triangles: ArrayLike<number>, face: number): Triangle {
+  const [a, b, c] = vectorAt(triangles, face);
+  return [vectorAt(positions, a), vectorAt(positions, b), vectorAt(positions, c)];
+}
+
+/** Barycentric: the mean of the corners by weights. */
+export function weighted([a, b, c]: Triangle, [u, v, w]: Vector): Vector {
+  return [u * a[0] + v * b[0] + w * c[0], u * a[1] + v * b[1] + w * c[1], u * a[2] + v * b[2] + w * c[2]];
 }

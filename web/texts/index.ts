@@ -5,7 +5,19 @@
 
 import { speak } from './translate';
 
-export { t } from './translate';
+export {
+  count,
+  counted,
+  enumerated,
+  listed,
+  numbers,
+  Phrase,
+  retold,
+  sentences,
+  some,
+  t,
+  type Words,
+} from './translate';
 
 export const LANGUAGES = { en: 'English', fr: 'Français' } as const;
 export type Language = keyof typeof LANGUAGES;
@@ -13,15 +25,23 @@ export type Language = keyof typeof LANGUAGES;
 const KEY = 'heatwalk.language';
 
 /** That of the address (`?lang=fr`), else the one chosen before, else that of the browser. Tests have English. */
-export const language: Language = typeof document === 'undefined' ? 'en' : preferred();
+export let language: Language = 'en';
 
 // Whatever imports this waits for it.
-if (language === 'fr') speak((await import('./fr')).FRENCH);
+if (typeof document !== 'undefined') await use(preferred());
 
-if (typeof document !== 'undefined') document.documentElement.lang = language;
+async function use(chosen: Language): Promise<void> {
+  if (chosen === 'fr') {
+    const { FRENCH, REPORTS } = await import('./fr');
+    speak(chosen, FRENCH, REPORTS);
+  } else speak(chosen);
+  language = chosen;
+  document.documentElement.lang = chosen;
+}
 
-/** The page has this language from its next start on. Where storage is disabled, the address holds the choice. */
-export function choose(chosen: Language): void {
+/** Phrases are in this language from then on. Where storage is disabled, the address holds the choice. */
+export async function choose(chosen: Language): Promise<void> {
+  await use(chosen);
   const address = new URL(location.href);
   try {
     localStorage.setItem(KEY, chosen);

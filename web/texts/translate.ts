@@ -1,16 +1,103 @@
+/** Texts and numbers in the language of the page, each written when it is read: a switch of the language writes it again. */
+
 /** Texts by those in English, in which `{0}` is the first value that is put in. */
 export type Texts = Readonly<Record<string, string>>;
 
-/** Those of the language; without them, all is English. */
-let texts: Texts = {};
+/** A text that depends on the language. */
+export class Phrase {
+  readonly #write: () => string;
 
-export function speak(others: Texts): void {
-  texts = others;
+  constructor(write: () => string) {
+    this.#write = write;
+  }
+
+  toString(): string {
+    return this.#write();
+  }
+}
+
+export type Words = string | Phrase;
+
+/** Texts of the page, and sentences of workers. Without any, all is English. */
+let spoken: { language: string; texts: Texts; reports: Texts } = { language: 'en', texts: {}, reports: {} };
+
+export function speak(language: string, texts: Texts = {}, reports: Texts = {}): void {
+  spoken = { language, texts, reports };
 }
 
 /** A text in the language of the page: a string, or a template, whose values stay as they are. */
-export function t(text: string | TemplateStringsArray, ...values: readonly (string | number)[]): string {
+export function t(text: string | TemplateStringsArray, ...values: readonly (Words | number)[]): Phrase {
   const key = typeof text === 'string' ? text : text.reduce((before, part, index) => `${before}{${index - 1}}${part}`);
-  const found = texts[key] ?? key;
-  return values.length === 0 ? found : found.replaceAll(/\{(\d)\}/g, (_, index) => String(values[Number(index)]));
+  return new Phrase(() => filled(spoken.texts[key] ?? key, values));
+}
+
+function filled(text: string, values: readonly unknown[]): string {
+  return values.length === 0 ? text : text.replaceAll(/\{(\d)\}/g, (_, index) => String(values[Number(index)]));
+}
+
+/** A format of the language, made once for each. */
+function formatOf<F>(make: (language: string) => F): () => F {
+  const made = new Map<string, F>();
+  return () => {
+    const { language } = spoken;
+    const format = made.get(language) ?? make(language);
+    made.set(language, format);
+    return format;
+  };
+}
+
+/** Writes numbers as the language does. */
+export function numbers(options: Intl.NumberFormatOptions): (value: number) => Phrase {
+  const format = formatOf((language) => new Intl.NumberFormat(language, options));
+  return (value) => new Phrase(() => format().format(value));
+}
+
+/** A whole number, with its thousands apart. */
+export const count = numbers({ maximumFractionDigits: 0 });
+
+const plurals = formatOf((language) => new Intl.PluralRules(language));
+
+/** A text about a number, which is `{0}` in it; `more` are the values after it. */
+export function counted(value: number, one: string, other: string, ...more: readonly (Words | number)[]): Phrase {
+  const values = [count(value), ...more];
+  const [single, several] = [t(one, ...values), t(other, ...values)];
+  return new Phrase(() => String(plurals().select(value) === 'one' ? single : several));
+}
+
+/** The same; null of none, which lists and sentences leave out. */
+export function some(...[value, ...texts]: Parameters<typeof counted>): Phrase | null {
+  return value > 0 ? counted(value, ...texts) : null;
+}
+
+const names = formatOf((language) => new Intl.ListFormat(language));
+
+/** Figures and properties one after the other: "a, b, c". */
+export function listed(...words: readonly (Words | null)[]): Phrase {
+  const all = words.filter((each) => each !== null);
+  return new Phrase(() => all.map(String).reduce((before, next) => String(t`${before}, ${next}`)));
+}
+
+/** Things that a sentence names: "a, b, and c". */
+export function enumerated(words: readonly Words[]): Phrase {
+  return new Phrase(() => names().format(words.map(String)));
+}
+
+/** Sentences one after the other. */
+export function sentences(...all: readonly (Words | null)[]): Phrase {
+  return new Phrase(() => all.filter((each) => each !== null).join(' '));
+}
+
+/** A sentence of a worker, which is in English, and what is put into it, in the language of the page. */
+export function retold(sentence: string): Phrase {
+  return new Phrase(() => reported(sentence));
+}
+
+function reported(sentence: string): string {
+  for (const [english, other] of Object.entries(spoken.reports)) {
+    const literal = english.replaceAll(/[.*+?^$()|[\]\\]/g, String.raw`\$&`);
+    const pattern = new RegExp(`^${literal.replaceAll(/\{\d\}/g, '(.+)')}$`, 's');
+    const values = pattern.exec(sentence)?.slice(1);
+    if (values) return filled(other, values.map(reported));
+  }
+  return sentence;
 }

@@ -1,7 +1,12 @@
 /** A very small DOM helper: attributes by name, `on…` for listeners, properties of the element as they are. */
-import { t } from '../texts';
-type Child = Node | string | null;
-type Attributes = Record<string, string | number | boolean | ((event: Event) => void)>;
+import { entry } from '../state/entry';
+import { Phrase, t, type Words } from '../texts';
+
+type Child = Node | Words | null;
+type Attributes = Record<string, Words | number | boolean | ((event: Event) => void)>;
+
+/** What texts and attributes of the page say, where that depends on its language. */
+const said = new WeakMap<Node, Phrase>();
 
 export function h<K extends keyof HTMLElementTagNameMap>(
   tag: K,
@@ -12,10 +17,46 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   for (const [name, value] of Object.entries(attributes)) {
     if (typeof value === 'function') element.addEventListener(name.replace(/^on/, ''), value);
     else if (typeof value === 'boolean') element.toggleAttribute(name, value);
-    else element.setAttribute(name, String(value));
+    else attribute(element, name, value);
   }
-  element.append(...children.filter((child) => child !== null));
+  for (const child of children) if (child !== null) element.append(child instanceof Node ? child : textNode(child));
   return element;
+}
+
+function textNode(words: Words): Text {
+  return keep(document.createTextNode(String(words)), words);
+}
+
+function keep<N extends Node>(node: N, words: unknown): N {
+  if (words instanceof Phrase) said.set(node, words);
+  else said.delete(node);
+  return node;
+}
+
+/** Gives an attribute a value. */
+export function attribute(element: Element, name: string, value: Words | number): void {
+  element.setAttribute(name, String(value));
+  const node = element.getAttributeNode(name);
+  if (node) keep(node, value);
+}
+
+/** Has an element say something; the same once more is no change, which a screen reader would read aloud. */
+export function say(element: Element, words: Words | null): void {
+  const text = String(words ?? '');
+  if (element.textContent !== text) element.textContent = text;
+  if (element.firstChild) keep(element.firstChild, words);
+}
+
+/** Writes what the page says once more, after its language has changed. */
+export function sayAgain(): void {
+  const walker = document.createTreeWalker(document, NodeFilter.SHOW_TEXT | NodeFilter.SHOW_ELEMENT);
+  while (walker.nextNode()) {
+    const { currentNode: node } = walker;
+    for (const each of node instanceof Element ? node.attributes : [node]) {
+      const phrase = said.get(each);
+      if (phrase) each.nodeValue = String(phrase);
+    }
+  }
 }
 
 const SVG = 'http://www.w3.org/2000/svg';
@@ -33,12 +74,12 @@ export function icon(path: string): SVGSVGElement {
 }
 
 export interface SliderOptions {
-  label: string;
+  label: Words;
   min: number;
   max: number;
   step: number;
   /** In words, beside the slider. */
-  describe: (value: number) => string;
+  describe: (value: number) => Words;
   /** Each drag is a gesture of its own, and so is each key. */
   change: (value: number, gesture: object) => void;
 }
@@ -68,15 +109,15 @@ export function slider({ label, min, max, step, describe, change }: SliderOption
   });
   const show = (value: number) => {
     if (input.valueAsNumber !== value) input.valueAsNumber = value;
-    output.textContent = describe(value);
-    input.setAttribute('aria-valuetext', describe(value));
+    say(output, describe(value));
+    attribute(input, 'aria-valuetext', describe(value));
   };
   return { element: h('div', { class: 'field' }, h('span', { 'aria-hidden': 'true' }, label), output, input), show };
 }
 
 export function select<T extends string | number>(
-  label: string,
-  choices: readonly (readonly [T, string])[],
+  label: Words,
+  choices: readonly (readonly [T, Words])[],
   change: (value: T) => void,
 ): {
   element: HTMLElement;
@@ -85,7 +126,7 @@ export function select<T extends string | number>(
   allow: (isAllowed: (value: T) => boolean) => void;
 } {
   const options = choices.map(([value, text]) => h('option', { value }, text));
-  const input = h('select', { onchange: () => change(choices[input.selectedIndex][0]) }, ...options);
+  const input = h('select', { onchange: () => change(entry(choices, input.selectedIndex)[0]) }, ...options);
   return {
     element: h('label', { class: 'field' }, h('span', {}, label), input),
     show: (value) => {
@@ -93,7 +134,7 @@ export function select<T extends string | number>(
     },
     allow: (isAllowed) => {
       choices.forEach(([value], i) => {
-        options[i].disabled = !isAllowed(value);
+        entry(options, i).disabled = !isAllowed(value);
       });
     },
   };
@@ -102,13 +143,13 @@ export function select<T extends string | number>(
 /** Names with what is said of each, as `select` takes them. */
 export function labelled<T extends string>(
   names: readonly T[],
-  labels: Readonly<Record<T, string>>,
-): (readonly [T, string])[] {
+  labels: Readonly<Record<T, Words>>,
+): (readonly [T, Words])[] {
   return names.map((name) => [name, labels[name]]);
 }
 
 export function toggle(
-  label: string,
+  label: Words,
   change: (on: boolean) => void,
 ): { element: HTMLElement; show: (on: boolean) => void; allow: (allowed: boolean) => void } {
   const input = h('input', { type: 'checkbox', role: 'switch', onchange: () => change(input.checked) });
@@ -124,7 +165,7 @@ export function toggle(
 }
 
 export interface AutomaticSliderOptions extends Omit<SliderOptions, 'change' | 'describe'> {
-  describe: (value: number, automatic: boolean) => string;
+  describe: (value: number, automatic: boolean) => Words;
   change: (value: number | 'auto', gesture: object) => void;
 }
 

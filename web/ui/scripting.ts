@@ -2,7 +2,7 @@
 import type { Clip, DistanceField, FaceField, Moment, PathKind, MeshPoint } from '../protocol';
 import { exactDistanceAt } from '../session/distances';
 import type { Session } from '../session/session';
-import type { ToldTape } from '../session/tapes';
+import type { TapeFigures } from '../session/tapes';
 import type { Engine } from '../solver/engine';
 import type { Phase } from '../solver/refiner';
 import { PRESETS } from '../state/presets';
@@ -56,7 +56,7 @@ export interface Heatwalk {
   /** Arc lengths, what the path costs, and its kind; null without a walker. */
   readonly walker: { arc: number; length: number; cost: number; arrived: boolean; kind: PathKind } | null;
   /** What tapes measure, in the unit of the file; lengths and areas that are not known, or are none, are null. */
-  readonly tapes: readonly ToldTape[];
+  readonly tapes: readonly TapeFigures[];
   /** Distance at a place of the shown field, linear between those of vertices; Infinity where no source reaches; NaN where the mesh has no such place. */
   distanceAt(point: MeshPoint): number;
   /** The exact one, as `SolverApi.exactDistances`. */
@@ -84,7 +84,7 @@ export function expose(
   session: Session,
   ready: Promise<void>,
   decorated: () => Promise<void>,
-  measured: () => readonly ToldTape[],
+  measured: () => readonly TapeFigures[],
 ): void {
   const api: Heatwalk = {
     ready,

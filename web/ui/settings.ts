@@ -11,29 +11,29 @@ import {
 } from '../wasm/contract';
 import { type AutomaticControl, automaticSlider } from './dom';
 import { length } from './words';
-import { t } from '../texts';
+import { t, type Words } from '../texts';
 
-export const METHODS: Record<Method, string> = {
+export const METHODS: Record<Method, Words> = {
   auto: t('Automatic'),
   propagation: t('Propagation'),
   heat: t('Heat method'),
   exact: t('Exact'),
 };
-export const BOUNDARIES: Record<Boundary, string> = {
+export const BOUNDARIES: Record<Boundary, Words> = {
   neumann: t('Insulated (Neumann)'),
   dirichlet: t('Cold (Dirichlet)'),
   average: t('Average of both'),
 };
-export const MULTI_SOURCES: Record<MultiSource, string> = {
+export const MULTI_SOURCES: Record<MultiSource, Words> = {
   exact: t('Exact'),
   summed: t('Summed'),
 };
-export const OPERATORS: Record<Operator, string> = {
+export const OPERATORS: Record<Operator, Words> = {
   delaunay: t('Intrinsic Delaunay'),
   plain: t('As in the file'),
   relocate: t('Relocated vertices'),
 };
-export const SOLVERS: Record<LinearSolver, string> = {
+export const SOLVERS: Record<LinearSolver, Words> = {
   cholesky: t('Cholesky'),
   cg: t('Conjugate gradients'),
 };

@@ -1,321 +1,358 @@
 /** Numbers and sentences as the page shows them. */
 import type { BuildReport, DistanceField, Factoring, FieldError, OpenedMesh } from '../protocol';
 import { MOST_SECONDS, type Phase } from '../solver/refiner';
+import { entry } from '../state/entry';
 import type { LengthUnit, SceneState } from '../state/scene';
 import { partsOfFaces } from '../state/parts';
 import type { SourceSet } from '../state/sources';
-import { language, t } from '../texts';
+import { count, counted, enumerated, listed, numbers, retold, sentences, some, t, type Words } from '../texts';
 
 /** What is wanted of a field. */
 type Wish = Pick<SceneState, 'method' | 'pathKind'>;
-
-const GROUPED = new Intl.NumberFormat(language, { maximumFractionDigits: 0 });
-const THREE_DIGITS = new Intl.NumberFormat(language, { maximumSignificantDigits: 3, useGrouping: false });
-
-const PLURALS = new Intl.PluralRules(language);
-
-export function count(value: number): string {
-  return GROUPED.format(value);
-}
-
-export function counted(value: number, noun: string, plural = `${noun}s`): string {
-  return `${count(value)} ${t(PLURALS.select(value) === 'one' ? noun : plural)}`;
-}
 
 /** Of files about a mesh, without an ending. */
 export function fileNameOf(shown: { opened: OpenedMesh } | null): string {
   return (shown?.opened.name ?? 'heatwalk').replace(/\.\w+$/, '');
 }
 
-/** With so many digits after the point. */
-export function fixed(value: number, digits: number): string {
-  const all = { minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping: false };
-  return value.toLocaleString(language, all);
+function decimals(digits: number): (value: number) => Words {
+  return numbers({ minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping: false });
 }
 
-export function length(value: number): string {
-  return THREE_DIGITS.format(value);
-}
+const whole = decimals(0);
+export const tenths = decimals(1);
+export const hundredths = decimals(2);
+export const thousandths = decimals(3);
+const twoDigits = numbers({ maximumSignificantDigits: 2, useGrouping: false });
+const oneDigit = numbers({ maximumSignificantDigits: 1 });
+
+export const length = numbers({ maximumSignificantDigits: 3, useGrouping: false });
 
 /** A length in the unit of the mesh. */
-export function measure(value: number, unit: LengthUnit): string {
-  return `${length(value * unit.scale)} ${unitWords(unit)}`;
+export function measure(value: number, unit: LengthUnit): Words {
+  return t`${length(value * unit.scale)} ${unitWords(unit)}`;
 }
 
 /** A unit, and that it is assumed where it is. */
-export function unitWords({ symbol, assumed }: LengthUnit): string {
-  return `${symbol || t('units')}${assumed ? t(' (assumed)') : ''}`;
+export function unitWords({ symbol, assumed }: LengthUnit): Words {
+  const name = symbol || t('units');
+  return assumed ? t`${name} (assumed)` : name;
+}
+
+/** What a column or an axis is called, with its unit where there is one. */
+export function withUnit(name: Words, symbol: string): Words {
+  return symbol ? t`${name} (${symbol})` : name;
 }
 
 /** A volume in the unit of the mesh, cubed. */
-export function volume(value: number, { symbol, assumed, scale }: LengthUnit): string {
-  const told = length(value * scale ** 3);
-  return symbol ? `${told} ${symbol}³${assumed ? t(' (assumed)') : ''}` : t`${told} cubic units`;
+export function volume(value: number, { symbol, scale, ...unit }: LengthUnit): Words {
+  const cubed = symbol ? unitWords({ symbol: `${symbol}³`, scale, ...unit }) : t('cubic units');
+  return t`${length(value * scale ** 3)} ${cubed}`;
 }
 
 /** An area in the unit of the mesh, squared. */
-export function area(value: number, { symbol, assumed, scale }: LengthUnit): string {
-  const told = length(value * scale ** 2);
-  return symbol ? `${told} ${symbol}²${assumed ? t(' (assumed)') : ''}` : t`${told} square units`;
+export function area(value: number, { symbol, scale, ...unit }: LengthUnit): Words {
+  const squared = symbol ? unitWords({ symbol: `${symbol}²`, scale, ...unit }) : t('square units');
+  return t`${length(value * scale ** 2)} ${squared}`;
 }
 
-export function percent(share: number): string {
-  return `${Math.round(100 * share)} %`;
+export function percent(share: number): Words {
+  return t`${whole(100 * share)} %`;
 }
 
 /** Rounded down: 100 % only where it is all. */
-export function percentDown(share: number): string {
-  return `${Math.floor(100 * share)} %`;
+export function percentDown(share: number): Words {
+  return percent(Math.floor(100 * share) / 100);
 }
 
-/** The least share that is told from 0, and that from which on one digit after the point says enough. */
+/** The least share that is written as other than "below", and that from which on one digit after the point is enough. */
 const LEAST_SHARE = 1e-5;
 const PLAIN_SHARE = 1e-3;
 
 /** Errors are small: one digit after the point where the share is under 10 %, and more where that would be 0. */
-export function finePercent(share: number): string {
+export function finePercent(share: number): Words {
   if (share >= 0.1) return percent(share);
-  if (share >= PLAIN_SHARE || share === 0) return `${fixed(100 * share, 1)} %`;
-  return share < LEAST_SHARE
-    ? t('below 0.001 %')
-    : `${(100 * share).toLocaleString(language, { maximumSignificantDigits: 1 })} %`;
+  if (share >= PLAIN_SHARE || share === 0) return t`${tenths(100 * share)} %`;
+  return share < LEAST_SHARE ? t('below 0.001 %') : t`${oneDigit(100 * share)} %`;
 }
 
-export function milliseconds(value: number): string {
-  return value < 10
-    ? `${fixed(value, 1)} ms`
-    : value < 10_000
-      ? `${Math.round(value)} ms`
-      : `${fixed(value / 1000, 1)} s`;
+export function milliseconds(value: number): Words {
+  if (value >= 10_000) return t`${tenths(value / 1000)} s`;
+  return t`${value < 10 ? tenths(value) : whole(value)} ms`;
 }
 
-/** A time that is seldom a moment, of so many milliseconds. */
-export function seconds(value: number): string {
-  return `${fixed(value / 1000, value < 950 ? 2 : 1)} s`;
+/** A time that is seldom a moment, of as many milliseconds. */
+export function seconds(value: number): Words {
+  return t`${(value < 950 ? hundredths : tenths)(value / 1000)} s`;
 }
 
-export function bytes(value: number): string {
-  return t`${fixed(value / 2 ** 20, value < 10 * 2 ** 20 ? 1 : 0)} MiB`;
+export function bytes(value: number): Words {
+  return t`${(value < 10 * 2 ** 20 ? tenths : whole)(value / 2 ** 20)} MiB`;
 }
 
 /** Share of exact vertices that is worth telling. */
 const LEAST_EXACT = 0.01;
 
 /** How large a mesh is. */
-export function sizeWords({ report, interior }: OpenedMesh): string {
-  return interior ? t`${count(interior.report.tetrahedra)} tetrahedra` : t`${count(report.faces)} triangles`;
+export function sizeWords({ report, interior }: OpenedMesh): Words {
+  return interior ? tetrahedraWords(interior.report) : trianglesWords(report.faces);
+}
+
+export function tetrahedraWords({ tetrahedra }: { tetrahedra: number }): Words {
+  return counted(tetrahedra, '{0} tetrahedron', '{0} tetrahedra');
+}
+
+export function trianglesWords(triangles: number): Words {
+  return counted(triangles, '{0} triangle', '{0} triangles');
+}
+
+export function verticesWords(vertices: number): Words {
+  return counted(vertices, '{0} vertex', '{0} vertices');
+}
+
+function componentsWords(components: number): Words {
+  return counted(components, '{0} component', '{0} components');
 }
 
 /** What was done to the triangles of a file, in one sentence. */
-export function openingSentence(opened: OpenedMesh, factoring: Factoring, unit: LengthUnit): string {
+export function openingSentence(opened: OpenedMesh, factoring: Factoring, unit: LengthUnit): Words {
   const { name, report, interior } = opened;
   if (interior) {
-    const { tetrahedra, components, remark } = interior.report;
-    const told = t`${name}: ${counted(tetrahedra, 'tetrahedron', 'tetrahedra')}; ${counted(components, 'component')}.`;
-    return remark ? `${told} ${remark}.` : told;
+    const { components, remark } = interior.report;
+    const shape = t`${name}: ${tetrahedraWords(interior.report)}; ${componentsWords(components)}.`;
+    return sentences(shape, remark ? t`${retold(remark)}.` : null);
   }
   const done = repairs(report);
-  const components = componentWords(report, factoring);
-  const shape = `${components}, ${counted(report.boundaryLoops, 'boundary', 'boundaries')}`;
+  const loops = counted(report.boundaryLoops, '{0} boundary', '{0} boundaries');
+  const shape = listed(...joints(report, factoring), loops);
   const proxy = simplifiedSentence(opened, unit);
-  const told =
-    done.length > 0 && !proxy
-      ? t`${name}: ${done.join(', ')}; ${shape}.`
-      : t`${name}: ${counted(report.faces, 'triangle')}; ${shape}.`;
-  return [told, joinedSentence(factoring), proxy].filter(Boolean).join(' ');
+  const content = done.length > 0 && !proxy ? listed(...done) : trianglesWords(report.faces);
+  return sentences(t`${name}: ${content}; ${shape}.`, ...joinedSentences(factoring), proxy);
 }
 
-/** What may be joined otherwise than the surface is meant; null where nothing is. */
-function joinedSentence({ crackPortals, crackGap, contactsComplete }: Factoring): string | null {
-  const told: string[] = [];
-  if (crackPortals > 0) {
-    const places = counted(crackPortals, 'place', 'places');
-    told.push(t`Paths cross gaps between boundaries, up to ${length(crackGap)} units wide, at ${places}.`);
-  }
-  if (!contactsComplete) {
-    told.push(
-      t(
-        'Parts meet in more places than are looked at; those that meet elsewhere alone are not joined, and links may be wider than need be.',
-      ),
-    );
-  }
-  return told.length > 0 ? told.join(' ') : null;
+/** What may be joined otherwise than the surface is meant. */
+function joinedSentences({ crackPortals, crackGap, contactsComplete }: Factoring): (Words | null)[] {
+  return [
+    some(
+      crackPortals,
+      'Paths cross gaps between boundaries, up to {1} units wide, at {0} place.',
+      'Paths cross gaps between boundaries, up to {1} units wide, at {0} places.',
+      length(crackGap),
+    ),
+    contactsComplete
+      ? null
+      : t(
+          'Parts meet in more places than are looked at; those that meet elsewhere alone are not joined, and links may be wider than need be.',
+        ),
+  ];
 }
 
 /** That a simplified model is seen, of what, and how far it is off; null for a mesh as it is in its file. */
-export function simplifiedSentence(opened: OpenedMesh, unit: LengthUnit): string | null {
+export function simplifiedSentence(opened: OpenedMesh, unit: LengthUnit): Words | null {
   if (!opened.simplified) return null;
   const { triangles, error, diagonal } = opened.simplified;
-  const off = t`${measure(error, unit)}, ${finePercent(error / diagonal)} of the diagonal`;
-  return t`This is a simplified model of ${counted(triangles, 'triangle')}; it differs by about ${off}.`;
+  return t`This is a simplified model of ${trianglesWords(triangles)}; it differs by about ${measure(error, unit)}, ${finePercent(error / diagonal)} of the diagonal.`;
 }
 
 const NAMED = 4;
 
 /** What a file was read without, or otherwise than it is written, and what keeps it from looking as it should; null if nothing. */
-export function absentSentence({ name, missing, undecoded, warnings }: OpenedMesh): string | null {
-  const sentences = warnings.map((warning) => t`${name}, ${placeWords(warning.place)}: ${warningWords(warning)}.`);
-  if (missing.length === 1) sentences.push(t`${name} refers to ${listed(missing)}, which was not given.`);
-  if (missing.length > 1) sentences.push(t`${name} refers to ${listed(missing)}, which were not given.`);
-  if (undecoded.length > 0) sentences.push(t`The browser cannot show ${listed(undecoded)}.`);
-  return sentences.length > 0 ? sentences.join(' ') : null;
+export function absentSentence({ name, missing, undecoded, warnings }: OpenedMesh): Words | null {
+  const found = warnings.map((warning) => t`${name}, ${placeWords(warning.place)}: ${warningWords(warning)}.`);
+  if (missing.length === 1) found.push(t`${name} refers to ${first(missing)}, which was not given.`);
+  if (missing.length > 1) found.push(t`${name} refers to ${first(missing)}, which were not given.`);
+  if (undecoded.length > 0) found.push(t`The browser cannot show ${first(undecoded)}.`);
+  return found.length > 0 ? sentences(...found) : null;
 }
 
 /** What was left out, or taken otherwise than it is written. */
-function warningWords({ code, count: number }: OpenedMesh['warnings'][number]): string {
+function warningWords({ code, count: number }: OpenedMesh['warnings'][number]): Words {
   switch (code) {
     case 'lines-left-out':
-      return t`${counted(number, 'point or line', 'points or lines')} left out`;
+      return counted(number, '{0} point or line left out', '{0} points or lines left out');
     case 'curves-left-out':
-      return t`${counted(number, 'statement of a curve', 'statements of curves')} left out; save the model as polygons`;
+      return counted(
+        number,
+        '{0} statement of a curve left out; save the model as polygons',
+        '{0} statements of curves left out; save the model as polygons',
+      );
     case 'volumes-left-out':
-      return t`${counted(number, 'cell that fills space', 'cells that fill space')} left out`;
+      return counted(number, '{0} cell that fills space left out', '{0} cells that fill space left out');
     case 'unknown-statements':
-      return t`${counted(number, 'unknown statement')} left out`;
+      return counted(number, '{0} unknown statement left out', '{0} unknown statements left out');
     case 'unjoined-lines':
       return t('a backslash ends a line; the next one begins a statement of its own and was not joined to it');
     case 'unended-facets':
-      return counted(number, 'facet without endfacet', 'facets without endfacet');
+      return counted(number, '{0} facet without endfacet', '{0} facets without endfacet');
     case 'no-end':
       return t('the end of the file is missing; it may be cut short');
     case 'trailing':
       return t('there is more behind the end; it was left out');
     case 'straightened':
-      return t`${counted(number, 'curved cell')} made flat between the corners`;
+      return counted(
+        number,
+        '{0} curved cell made flat between the corners',
+        '{0} curved cells made flat between the corners',
+      );
     case 'crossed-polygons':
-      return t`${counted(number, 'polygon crosses itself', 'polygons cross themselves')}; the triangles are a guess`;
+      return counted(
+        number,
+        '{0} polygon crosses itself; the triangles are a guess',
+        '{0} polygons cross themselves; the triangles are a guess',
+      );
     default:
       return code;
   }
 }
 
 /** A place in a file; the names of elements are those of its format. */
-function placeWords(place: string): string {
-  const line = /^line (\d+)$/.exec(place);
-  return line ? t`line ${line[1]}` : place;
+function placeWords(place: string): Words {
+  const [, line] = /^line (\d+)$/.exec(place) ?? [];
+  return line ? t`line ${line}` : place;
 }
 
 /** Names, of many the first ones. */
-function listed(names: readonly string[]): string {
+function first(names: readonly string[]): Words {
   const rest = names.length - NAMED;
-  const shown =
-    rest > 0 ? [...names.slice(0, NAMED), t`${count(rest)} more`] : names.map((name) => name || t('an image'));
-  return shown.length === 1 ? shown[0] : t`${shown.slice(0, -1).join(', ')} and ${shown.at(-1) ?? ''}`;
+  const shown = names.slice(0, NAMED).map((name) => name || t('an image'));
+  return enumerated(rest > 0 ? [...shown, t`${count(rest)} more`] : shown);
 }
 
 /** How many components there are, and how they are joined: "55 components, 93 contacts, one group". */
-function componentWords({ components }: BuildReport, { groups, contacts, links }: Factoring): string {
-  const joined = [];
-  if (contacts > 0) joined.push(counted(contacts, 'contact'));
-  if (links > 0) joined.push(counted(links, 'link'));
-  if (joined.length > 0) joined.push(groupWords(groups));
-  return [counted(components, 'component'), ...joined].join(', ');
+function joints({ components }: BuildReport, { groups, contacts, links }: Factoring): (Words | null)[] {
+  return [
+    componentsWords(components),
+    some(contacts, '{0} contact', '{0} contacts'),
+    some(links, '{0} link', '{0} links'),
+    contacts + links > 0 ? groupWords(groups) : null,
+  ];
 }
 
-function groupWords(groups: number): string {
-  return groups === 1 ? t('one group') : counted(groups, 'group');
+function groupWords(groups: number): Words {
+  return counted(groups, 'one group', '{0} groups');
 }
 
 /** How many links there are between groups and how far they reach; null without any. */
-export function linksSentence({ groups, links, linkedGap }: Factoring): string | null {
-  if (links === 0) return null;
-  const over = links === 1 ? t('a gap of') : t('gaps of up to');
-  return t`${counted(links, 'link')} over ${over} ${length(linkedGap)} units; ${groupWords(groups)}.`;
+export function linksSentence({ groups, links, linkedGap }: Factoring): Words | null {
+  return some(
+    links,
+    '{0} link over a gap of {1} units; {2}.',
+    '{0} links over gaps of up to {1} units; {2}.',
+    length(linkedGap),
+    groupWords(groups),
+  );
 }
 
-function repairs(report: BuildReport): string[] {
-  const done: string[] = [];
-  const say = (verb: string, value: number, noun: string, plural?: string) => {
-    if (value > 0) done.push(`${verb} ${counted(value, noun, plural)}`);
-  };
-  say(t('welded'), report.weldedVertices - report.crackVertices, 'seam vertex', 'seam vertices');
-  if (report.crackVertices > 0) {
-    const cracks = counted(report.crackVertices, 'crack vertex', 'crack vertices');
-    done.push(t`welded ${cracks} within ${report.crackWidth.toPrecision(2)} units`);
-  }
-  say(t('removed'), report.unreferencedVertices, 'unreferenced vertex', 'unreferenced vertices');
-  say(t('removed'), report.degenerateFaces, 'degenerate triangle');
-  say(t('removed'), report.duplicateFaces, 'duplicate triangle');
-  say(t('flipped'), report.flippedFaces, 'triangle');
-  say(t('cut along'), report.nonManifoldEdges, 'non-manifold edge');
-  return done;
+function repairs(report: BuildReport): Words[] {
+  const { crackVertices, weldedVertices, crackWidth } = report;
+  return [
+    some(weldedVertices - crackVertices, 'welded {0} seam vertex', 'welded {0} seam vertices'),
+    some(
+      crackVertices,
+      'welded {0} crack vertex within {1} units',
+      'welded {0} crack vertices within {1} units',
+      twoDigits(crackWidth),
+    ),
+    some(report.unreferencedVertices, 'removed {0} unreferenced vertex', 'removed {0} unreferenced vertices'),
+    some(report.degenerateFaces, 'removed {0} degenerate triangle', 'removed {0} degenerate triangles'),
+    some(report.duplicateFaces, 'removed {0} duplicate triangle', 'removed {0} duplicate triangles'),
+    some(report.flippedFaces, 'flipped {0} triangle', 'flipped {0} triangles'),
+    some(report.nonManifoldEdges, 'cut along {0} non-manifold edge', 'cut along {0} non-manifold edges'),
+  ].filter((each) => each !== null);
 }
 
-/** What was solved, as people say it. */
-function methodWords({ windows, inner, timeFactor }: DistanceField): string {
-  if (inner && timeFactor === undefined) return t('waves through the tetrahedra');
-  return windows === undefined ? t('the heat method') : t`propagation with ${counted(windows, 'window')}`;
-}
-
-/** How a field was found and how much of it is exact, in as few words as the heading has room for. */
-export function exactnessWords(field: DistanceField): string {
+/** How a field was found and how much of it is exact, in as few words as the heading has space for. */
+export function exactnessWords(field: DistanceField): Words {
   const { exactBelow, exactShare, windows, inner, timeFactor } = field;
   if (exactBelow === Infinity) return t('exact');
   if (inner && timeFactor === undefined) return t`waves, ${percentDown(exactShare)} straight`;
-  const method = windows === undefined ? t('heat method') : t('propagation');
-  return exactShare >= LEAST_EXACT ? t`${method}, ${percentDown(exactShare)} exact` : method;
+  const isExact = exactShare >= LEAST_EXACT;
+  if (windows === undefined) return isExact ? t`heat method, ${percentDown(exactShare)} exact` : t('heat method');
+  return isExact ? t`propagation, ${percentDown(exactShare)} exact` : t('propagation');
 }
 
 /** How a field was found, and how far it is exact, in a sentence. */
-export function fieldSentence(field: DistanceField): string {
+export function fieldSentence(field: DistanceField): Words {
   const { exactBelow, exactShare, windows, error, inner, timeFactor } = field;
   if (inner && timeFactor === undefined) {
-    const straight = t`Straight lines lead from ${percentDown(exactShare)} of the vertices to a source: these are exact`;
     return exactBelow === Infinity
       ? t('Exact: straight lines lead from everywhere to a source.')
-      : t`By waves. ${straight}.`;
+      : t`By waves. Straight lines lead from ${percentDown(exactShare)} of the vertices to a source: these are exact.`;
   }
-  if (exactBelow === Infinity)
-    return error ? t`Exact. Error of ${methodWords(field)}: ${errorWords(error)}.` : t('Exact.');
-  const beyond = windows === undefined ? '' : t(', an upper bound beyond');
-  const exact =
-    exactShare >= LEAST_EXACT
-      ? t`: exact below ${length(exactBelow)} units (${percentDown(exactShare)} of vertices)${beyond}`
-      : '';
-  return t`By ${methodWords(field)}${exact}.`;
+  if (exactBelow === Infinity) return sentences(t('Exact.'), error && errorSentence(error, windows));
+  const figures = [length(exactBelow), percentDown(exactShare)] as const;
+  if (windows === undefined) {
+    return exactShare >= LEAST_EXACT
+      ? t('By the heat method: exact below {0} units ({1} of vertices).', ...figures)
+      : t('By the heat method.');
+  }
+  return exactShare >= LEAST_EXACT
+    ? counted(
+        windows,
+        'By propagation with {0} window: exact below {1} units ({2} of vertices), an upper bound beyond.',
+        'By propagation with {0} windows: exact below {1} units ({2} of vertices), an upper bound beyond.',
+        ...figures,
+      )
+    : counted(windows, 'By propagation with {0} window.', 'By propagation with {0} windows.');
 }
 
-export function errorWords({ mean, max }: FieldError): string {
+function errorSentence(error: FieldError, windows: number | undefined): Words {
+  return windows === undefined
+    ? t`Error of the heat method: ${errorWords(error)}.`
+    : counted(
+        windows,
+        'Error of propagation with {0} window: {1}.',
+        'Error of propagation with {0} windows: {1}.',
+        errorWords(error),
+      );
+}
+
+export function errorWords({ mean, max }: FieldError): Words {
   return t`mean ${finePercent(mean)}, maximum ${finePercent(max)}`;
 }
 
 /** What a set is, with how many places it has. */
-export function setName({ shape, points }: SourceSet, opened?: OpenedMesh): string {
-  const vertices = counted(points.length, 'vertex', 'vertices');
+export function setName({ shape, points }: SourceSet, opened?: OpenedMesh): Words {
+  const places = points.length;
   switch (shape.kind) {
     case 'line':
-      return t`${shape.closed ? t('Closed line') : t('Line')} of ${vertices}`;
+      return shape.closed
+        ? counted(places, 'Closed line of {0} vertex', 'Closed line of {0} vertices')
+        : counted(places, 'Line of {0} vertex', 'Line of {0} vertices');
     case 'stroke':
-      return t`${shape.closed ? t('Closed curve') : t('Stroke')} of ${counted(points.length, 'point')}`;
+      return shape.closed
+        ? counted(places, 'Closed curve of {0} point', 'Closed curve of {0} points')
+        : counted(places, 'Stroke of {0} point', 'Stroke of {0} points');
     case 'boundary':
-      return t`Boundary of ${vertices}`;
+      return counted(places, 'Boundary of {0} vertex', 'Boundary of {0} vertices');
     case 'component':
-      return t`Component of ${vertices}`;
+      return counted(places, 'Component of {0} vertex', 'Component of {0} vertices');
     case 'part':
-      return `${opened?.parts.at(shape.part)?.name || t`Part ${shape.part + 1}`}, ${vertices}`;
+      return t`${opened?.parts[shape.part]?.name || t`Part ${shape.part + 1}`}, ${verticesWords(places)}`;
     case 'list':
-      return t`${shape.name}: ${count(points.length)}`;
+      return t`${shape.name}: ${count(places)}`;
   }
 }
 
 /** What is shown, and the state of refinement or the reason why it ended. */
-export function refiningSentence(phase: Phase, field: DistanceField, { method, pathKind }: Wish): string {
+export function refiningSentence(phase: Phase, field: DistanceField, { method, pathKind }: Wish): Words {
   const soFar = fieldSentence(field);
   switch (phase) {
-    case 'memory': {
-      const instead = pathKind === 'exact' ? t(' The path is straightened where no exact one was found.') : '';
-      return t`${soFar} Refinement stopped because memory ran out.${instead}`;
-    }
+    case 'memory':
+      return sentences(
+        soFar,
+        t('Refinement stopped because memory ran out.'),
+        pathKind === 'exact' ? t('The path is straightened where no exact one was found.') : null,
+      );
     case 'late':
-      return t`${soFar} Refinement stopped after ${MOST_SECONDS} seconds.`;
+      return sentences(soFar, t`Refinement stopped after ${MOST_SECONDS} seconds.`);
     case 'stuck':
-      return t`${soFar} Refinement stopped because it made no progress.`;
+      return sentences(soFar, t('Refinement stopped because it made no progress.'));
     case 'off':
-      return method === 'propagation' ? soFar : t`${soFar} Refinement is off.`;
-    case 'inside':
-      return soFar;
+      return method === 'propagation' ? soFar : sentences(soFar, t('Refinement is off.'));
     case 'costs':
-      return t`${soFar} Where costs differ, windows and paths are refracted and nothing is exact.`;
+      return sentences(soFar, t('Where costs differ, windows and paths are refracted and nothing is exact.'));
+    case 'inside':
     case 'exact':
     case 'solving':
     case 'resting':
@@ -328,27 +365,35 @@ export function refiningSentence(phase: Phase, field: DistanceField, { method, p
 }
 
 /** The parts that no source reaches; null if there are none. */
-export function unreachedSentence(opened: OpenedMesh, field: DistanceField): string | null {
+export function unreachedSentence(opened: OpenedMesh, field: DistanceField): Words | null {
   const { unreachableVertices } = field;
   if (unreachableVertices === 0) return null;
   const all = (opened.interior?.report ?? opened.report).vertices;
-  const share = t`${counted(unreachableVertices, 'vertex', 'vertices')} of ${count(all)}`;
+  const share = t`${verticesWords(unreachableVertices)} of ${count(all)}`;
   if (field.byCorner && opened.report.components === 1) {
     return t`Walls cut off what is drawn hatched (${share}). Open a gate, or add a source there.`;
   }
   const names = unreachedParts(opened, field);
-  const what = names.length > 0 ? `${names.join(', ')} (${share})` : t`A component (${share})`;
-  return t`${what} is not connected to any source and is drawn hatched. Add a source there, or link it.`;
+  if (names.length === 0) {
+    return t`A component (${share}) is not connected to any source and is drawn hatched. Add a source there, or link it.`;
+  }
+  return counted(
+    names.length,
+    '{1} ({2}) is not connected to any source and is drawn hatched. Add a source there, or link it.',
+    '{1} ({2}) are not connected to any source and are drawn hatched. Add a source there, or link them.',
+    enumerated(names),
+    share,
+  );
 }
 
-/** Those that no source reaches; none where triangles of the file were removed, for then they cannot be told. */
+/** Those that no source reaches; none where triangles of the file were removed, which leaves them unknown. */
 function unreachedParts(opened: OpenedMesh, { distance, byCorner }: DistanceField): string[] {
   const { parts, active, surface } = opened;
   const partOfFace = active.length < 2 ? null : partsOfFaces(opened);
   if (!partOfFace) return [];
   const reached = new Set<number>();
   surface.triangles.forEach((vertex, corner) => {
-    if (distance[byCorner ? corner : vertex] < Infinity) reached.add(partOfFace[Math.floor(corner / 3)]);
+    if (entry(distance, byCorner ? corner : vertex) < Infinity) reached.add(entry(partOfFace, Math.floor(corner / 3)));
   });
-  return active.filter((part) => !reached.has(part)).map((part) => parts[part].name);
+  return active.filter((part) => !reached.has(part)).map((part) => entry(parts, part).name);
 }

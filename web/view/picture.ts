@@ -1,4 +1,5 @@
 /** Saves images and videos of the scene. */
+import { Failure } from '../error';
 import type { View } from './view';
 import { t } from '../texts';
 
@@ -13,7 +14,7 @@ export async function png(view: View, scale: number, clear: boolean): Promise<Bl
   const picture = await view.capture(scale, clear);
   const canvas = new OffscreenCanvas(picture.width, picture.height);
   const context = canvas.getContext('2d');
-  if (!context) throw new Error(t('This browser cannot write the image into a file. Try another browser.'));
+  if (!context) throw new Failure(t('This browser cannot write the image into a file. Try another browser.'));
   context.putImageData(picture, 0, 0);
   if (view.overprints.length > 0) {
     const { left, top, width, height } = view.stage.getBoundingClientRect();
@@ -43,7 +44,7 @@ export async function video(view: View, end: Promise<unknown>): Promise<Blob> {
 function overprinted(view: View): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   const context = canvas.getContext('2d');
-  if (!context) throw new Error(t('This browser cannot write the image into a file. Try another browser.'));
+  if (!context) throw new Failure(t('This browser cannot write the image into a file. Try another browser.'));
   [canvas.width, canvas.height] = [view.canvas.width, view.canvas.height];
   view.looker = () => {
     const { width, height } = view.stage.getBoundingClientRect();
@@ -65,7 +66,7 @@ async function record(canvas: HTMLCanvasElement, end: Promise<unknown>): Promise
     recorder.addEventListener('dataavailable', ({ data }) => chunks.push(data));
     recorder.addEventListener('stop', () => resolve());
     recorder.addEventListener('error', () =>
-      reject(new Error(t('The browser stopped recording. Try again, or try another browser.'))),
+      reject(new Failure(t('The browser stopped recording. Try again, or try another browser.'))),
     );
   });
   recorder.start();

@@ -1,5 +1,6 @@
 /** How many pixels are drawn while something moves: as many as a weak graphics device draws fluently. */
 
+import { entry } from '../state/entry';
 /** Shares of the pixels along an edge, from all of them on. */
 const SHARES = [1, 0.75, 0.5, 0.35] as const;
 /** Frames that take longer, less than 25 a second, are drawn with fewer pixels; milliseconds. */
@@ -37,7 +38,7 @@ export class Resolution {
 
   /** Of the pixels along an edge, for the frame to come. */
   get share(): number {
-    return this.#rests ? 1 : SHARES[this.#level];
+    return this.#rests ? 1 : entry(SHARES, this.#level);
   }
 
   /** A frame is to follow at `now`; `drew`: whether one was drawn the time before, `passed` milliseconds ago. */
@@ -76,7 +77,7 @@ export class Resolution {
 
   #raise(took: number): void {
     const next = Math.max(0, this.#level - 1);
-    const expected = took * (SHARES[next] / SHARES[this.#level]) ** 2;
+    const expected = took * (entry(SHARES, next) / entry(SHARES, this.#level)) ** 2;
     this.#turn(expected < FAST_MS ? next : this.#level);
   }
 
@@ -88,5 +89,8 @@ export class Resolution {
 }
 
 function middle(values: readonly number[]): number {
-  return values.toSorted((a, b) => a - b)[values.length >> 1];
+  return entry(
+    values.toSorted((a, b) => a - b),
+    values.length >> 1,
+  );
 }

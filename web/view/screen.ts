@@ -1,11 +1,11 @@
 /** The canvas of the page and the renderer on it: made, sized, lost and made again. */
-import { messageOf, toError } from '../error';
+import { Failure, messageOf, toError } from '../error';
 import { isTrap } from '../solver/trap';
 import { Signal } from '../state/signal';
 import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
 import { type Build, hasWebGpu, WEBGL2, WEBGPU } from './builds';
 import { Traps } from './traps';
-import { t } from '../texts';
+import { t, type Words } from '../texts';
 
 /** How far panels reach in from the edges of the stage; CSS pixels. */
 export interface Insets {
@@ -44,7 +44,7 @@ export abstract class Screen {
   /** Called after each frame, while the canvas can still be read; null: nobody looks. */
   looker: (() => void) | null = null;
   /** Why nothing can be drawn. */
-  readonly trouble = new Signal<string | null>(null);
+  readonly trouble = new Signal<Words | null>(null);
   /** All pixels are drawn, however long a frame takes. */
   drawsAllPixels = false;
   /** Share of the device's pixels along an edge that are drawn. */
@@ -54,7 +54,7 @@ export abstract class Screen {
     this.stage = stage;
     this.#forceWebgl = forceWebgl;
     this.#canvas = this.#freshCanvas();
-    const observer = new ResizeObserver(([entry]) => this.#resize(entry));
+    const observer = new ResizeObserver((entries) => entries.forEach((entry) => this.#resize(entry)));
     try {
       observer.observe(stage, { box: 'device-pixel-content-box' });
     } catch {
@@ -93,7 +93,7 @@ export abstract class Screen {
       try {
         return await this.#create(WEBGPU);
       } catch {
-        // WebGL2 may work all the same. If not, its error is told.
+        // WebGL2 may work all the same. If not, its error is shown.
       }
     }
     return this.#create(WEBGL2);
@@ -120,8 +120,8 @@ export abstract class Screen {
       const error = toError(cause);
       if (!isUnusable(error)) throw error;
       if (this.#recovers()) void this.start();
-      else this.#giveUp(t`The renderer failed repeatedly: ${error.message}`);
-      throw new Error(t('The renderer failed and was restarted; the scene is unchanged.'), { cause });
+      else this.#giveUp(t`The renderer failed repeatedly: ${messageOf(error)}`);
+      throw new Failure(t('The renderer failed and was restarted; the scene is unchanged.'), { cause });
     }
   }
 
@@ -139,7 +139,7 @@ export abstract class Screen {
     return true;
   }
 
-  #giveUp(trouble: string): void {
+  #giveUp(trouble: Words): void {
     this.#viewer = null;
     this.backend.value = null;
     this.trouble.value = trouble;
@@ -215,7 +215,7 @@ export abstract class Screen {
     this.resolution.value = this.drawsAllPixels ? 1 : share;
   }
 
-  /** True if a frame was drawn. Throws what the graphics device refused; the next frame may be drawn all the same. */
+  /** True if a frame was drawn. Throws what the graphics device rejected; the next frame may be drawn all the same. */
   render(seconds: number): boolean {
     const drawn = this.use((viewer) => {
       this.prepare(viewer);

@@ -1,4 +1,4 @@
-/** Traps of the renderer between the steps of an asynchronous call. They settle no promise: only the window is told. */
+/** Traps of the renderer between the steps of an asynchronous call. They settle no promise and reach the window alone. */
 import { isTrap } from '../solver/trap';
 
 export class Traps {

@@ -1,9 +1,9 @@
 /** What is shown on the screen. It is kept, so that a renderer that was lost is made again with the scene intact. */
-import { toError } from '../error';
+import { Failure, toError } from '../error';
 import type { Appearance, DrawMesh, DrawPose, InnerView, MeshPoint, Shade, SurfacePath } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place } from '../state/places';
-import type { Vector } from '../state/vector';
+import { type Vector, vectorAt } from '../state/vector';
 import { CROWD_HEIGHT } from '../state/scene';
 import { Signal } from '../state/signal';
 import {
@@ -30,6 +30,7 @@ import {
 import { isUnusable, Screen } from './screen';
 import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
 import { t } from '../texts';
+import { entry } from '../state/entry';
 
 export interface PointHit {
   point: MeshPoint;
@@ -58,7 +59,7 @@ export class View extends Screen {
   /** What went wrong while drawing goes on. */
   readonly failure = new Signal<Error | null>(null);
 
-  /** Shows everything again. What the renderer refuses is left out from now on. False: the instance trapped on it. */
+  /** Shows everything again. What the renderer rejects is left out from now on. False: the instance trapped on it. */
   protected override replay(viewer: Viewer): boolean {
     for (const layer of ORDER) {
       try {
@@ -321,19 +322,18 @@ export class View extends Screen {
     if (this.#isPreview) return null;
     const hit = this.use((viewer) => viewer.pick(...this.toCanvas(x, y)));
     if (!hit) return null;
-    const [a, b, c] = hit.weights;
-    const [px, py, pz] = hit.point;
+    const [weights, position] = [vectorAt(hit.weights, 0), vectorAt(hit.point, 0)];
     const { triangle, is_on_section: isOnSection } = hit;
     hit.free();
-    const inner = isOnSection && this.#picture.inside ? innerPoint(this.#picture.inside, triangle, [a, b, c]) : null;
-    return { point: inner ?? { face: triangle, weights: [a, b, c] }, position: [px, py, pz] };
+    const inner = isOnSection && this.#picture.inside ? innerPoint(this.#picture.inside, triangle, weights) : null;
+    return { point: inner ?? { face: triangle, weights }, position };
   }
 
   /** CSS pixels of the window; null behind the camera and while a preview is drawn. */
   project(position: Vector): [number, number] | null {
     if (this.#isPreview) return null;
-    const pixel = this.use((viewer) => viewer.project(...position));
-    return pixel ? this.toWindow(pixel[0], pixel[1]) : null;
+    const [x, y] = this.use((viewer) => viewer.project(...position)) ?? [];
+    return x === undefined || y === undefined ? null : this.toWindow(x, y);
   }
 
   /** What is shown, drawn `scale` times as large; without the background when `clear`. RGBA rows from the top. */
@@ -343,11 +343,11 @@ export class View extends Screen {
       this.prepare(viewer);
       return viewer.capture(scale, clear);
     });
-    if (!picture) throw new Error(t('There is no scene to save as an image yet.'));
+    if (!picture) throw new Failure(t('There is no scene to save as an image yet.'));
     const { width, height } = picture;
     for (const since = performance.now(); !picture.is_ready();) {
       if (performance.now() - since > CAPTURE_MS)
-        throw new Error(t('The graphics device could not read the image back. Try a smaller one.'));
+        throw new Failure(t('The graphics device could not read the image back. Try a smaller one.'));
       await new Promise((resolve) => setTimeout(resolve, 5));
     }
     return new ImageData(new Uint8ClampedArray(picture.into_pixels()), width, height);
@@ -375,8 +375,8 @@ function partsOf({ positions, normals, values, tangents, triangles, ...rest }: I
 /** A place on the section as one in its tetrahedron. */
 function innerPoint({ triangles, tetrahedra, weights }: InnerView, triangle: number, shares: Vector): MeshPoint {
   const at = (corner: number) =>
-    shares.reduce((sum, share, i) => sum + share * weights[4 * triangles[3 * triangle + i] + corner], 0);
-  return { tetrahedron: tetrahedra[triangle], weights: [at(0), at(1), at(2), at(3)] };
+    shares.reduce((sum, share, i) => sum + share * entry(weights, 4 * entry(triangles, 3 * triangle + i) + corner), 0);
+  return { tetrahedron: entry(tetrahedra, triangle), weights: [at(0), at(1), at(2), at(3)] };
 }
 
 function finishOf({ metalness, roughness, glow }: Finish): Float32Array {

@@ -104,7 +104,7 @@ const api: SolverApi = {
     for (const used of [solver, drawing, surface, file]) used.free();
   },
 
-  async open(input, parts, room, progress, wantedUp = AUTOMATIC, most = null, fill = null) {
+  async open(input, parts, budget, progress, wantedUp = AUTOMATIC, most = null, fill = null) {
     await ready;
     progress({ stage: 'Reading', fraction: 0, vertices: 0 });
     const source = await sourceOf(input);
@@ -117,7 +117,7 @@ const api: SolverApi = {
     const names = file.part_names();
     const triangles = file.part_triangles();
     const ranges = names.map((_, part) => file.part_ranges(part));
-    file.require_room(chosen, room.windows, room.memory === AUTOMATIC ? undefined : room.memory);
+    file.require_room(chosen, budget.windows, budget.memory === AUTOMATIC ? undefined : budget.memory);
     const upright = file.up();
     const up = wantedUp === AUTOMATIC ? upright : wantedUp;
     const surface = file.surface(chosen, up);
@@ -187,18 +187,18 @@ const api: SolverApi = {
     if (!opened) throw new Error('No mesh is open.');
     const { drawing, timings, vertices, inside } = opened;
     const clock = stopwatch();
-    const told = (stage: string, fraction: number) => {
+    const report = (stage: string, fraction: number) => {
       progress({ stage, fraction: SOLVE_FROM + (1 - SOLVE_FROM) * fraction, vertices });
     };
     if (inside) {
-      if (parameters) inside.configure(parameters, told);
-      else told('Marching', 0);
+      if (parameters) inside.configure(parameters, report);
+      else report('Marching', 0);
       current = currentOf(innerMesh(inside), { ...timings, precomputeMs: parameters ? clock() : 0 });
     } else if (parameters) {
-      const solver = drawing.factor(parameters, told);
+      const solver = drawing.factor(parameters, report);
       current = currentOf(surfaceMesh(solver), { ...timings, precomputeMs: clock() });
     } else {
-      told('Propagating', 0);
+      report('Propagating', 0);
       const solver = drawing.solver();
       current = currentOf(surfaceMesh(solver), { ...timings, buildMs: timings.buildMs + clock() });
     }
@@ -407,7 +407,7 @@ function openMesh(): Current {
   return current;
 }
 
-/** A place that the mesh does not have is refused by its solver. */
+/** The solver rejects a place that the mesh does not have. */
 function known(place: MeshPoint): wasm.Source {
   return place as unknown as wasm.Source;
 }

@@ -1,6 +1,6 @@
 /** The files of a mesh, each read when it is asked for. */
 import { resolve } from '../../files/paths';
-import type { GivenFile } from '../../protocol';
+import type { InputFile } from '../../protocol';
 import type { Resource } from '../../wasm/reader/heatwalk_reader';
 
 export interface Files {
@@ -8,7 +8,7 @@ export interface Files {
   read: (path: string) => Uint8Array<ArrayBuffer>;
 }
 
-export function filesOf(files: readonly GivenFile[]): Files {
+export function filesOf(files: readonly InputFile[]): Files {
   const contents = new Map(files.map(({ path, content }) => [path, content]));
   const reader = new FileReaderSync();
   return {

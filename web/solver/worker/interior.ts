@@ -51,7 +51,7 @@ export async function shapeOfTetrahedra(name: string): Promise<Tetrahedra> {
   return timed(() => module.Tetrahedra.shape(name));
 }
 
-/** About so many that fill what the chosen parts of a file enclose. */
+/** About `count` that fill what the chosen parts of a file enclose. */
 export async function filled(
   file: wasm.MeshFile,
   parts: Uint32Array,
@@ -83,7 +83,7 @@ export function boundaryOf(
   return { file, vertices };
 }
 
-/** What the page is told of them. */
+/** What the page gets of them. */
 export function interiorOf({ tetrahedra, madeMs }: Tetrahedra, { center, scale, up }: DrawTransform): Interior {
   return {
     positions: tetrahedra.places(Float64Array.from(center), scale, up),

@@ -4,7 +4,7 @@ import type * as interior from '../../wasm/interior/heatwalk_interior';
 import type { EdgeKind, FaceField, Parameters, PathKind } from '../../wasm/contract';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
 
-/** Places as both take them. A place that a mesh does not have is refused by its solver. */
+/** Places as both take them. Its solver rejects a place that a mesh does not have. */
 type MeshPoint = wasm.SurfacePoint;
 type Source = wasm.Source;
 

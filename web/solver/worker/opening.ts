@@ -23,7 +23,7 @@ interface MeshSource {
   read: () => Promise<wasm.MeshFile | Tetrahedra>;
 }
 
-/** What is wanted of a mesh: the indices of its parts, or all; at most so many triangles; filled with about so many tetrahedra. */
+/** What is wanted of a mesh: the indices of its parts, or all; at most `most` triangles; filled with about `fill` tetrahedra. */
 interface Wish {
   parts: readonly number[];
   most: number | null;
@@ -97,17 +97,17 @@ function tetrahedraIn(mesh: Tetrahedra, name: string, simplified: Simplified | n
   return { file, chosen: Uint32Array.of(0), simplified, unit: unitOf(file), inner: { mesh, vertices } };
 }
 
-/** About so many tetrahedra in what the chosen parts of a file enclose. */
+/** About `count` tetrahedra in what the chosen parts of a file enclose. */
 async function stuffed(
   { file, chosen, simplified, unit }: Opening,
   name: string,
   count: number,
   progress: ProgressListener,
 ): Promise<Opening> {
-  const told = (fraction: number) =>
+  const report = (fraction: number) =>
     progress({ stage: 'Filling', fraction: FILL_FROM + fraction * (FILLED_FROM - FILL_FROM), vertices: 0 });
-  told(0);
-  const tetrahedra = await filled(file, chosen, count, told);
+  report(0);
+  const tetrahedra = await filled(file, chosen, count, report);
   const up = file.up();
   file.free();
   return { ...tetrahedraIn(tetrahedra, name, simplified, up), unit };

@@ -16,7 +16,7 @@ const STILL_FITS = 1.05;
 /** Clusters are as large as they have to be. */
 const ANY_ERROR = Number.MAX_VALUE;
 
-/** The parts `active` of a file in so many triangles. */
+/** The parts `active` of a file in `triangles` triangles. */
 export async function simplify(
   file: MeshFile,
   active: Uint32Array,

@@ -3,8 +3,6 @@ import type { Texts } from '../translate';
 
 export const HELP: Texts = {
   Language: 'Langue',
-  'The page has this language once it is reloaded.': 'La page sera dans cette langue une fois rechargée.',
-  'Reload the page': 'Recharger la page',
   'Close the help': 'Fermer l’aide',
   'All documents, with a search': 'Tous les documents, avec une recherche (en anglais)',
   Action: 'Action',
@@ -50,7 +48,7 @@ export const HELP: Texts = {
   'drag its pin': 'glisser son épingle',
   arrows: 'flèches',
   'Move a corner of the selected line': 'Déplacer un coin de la ligne choisie',
-  'Tab to it, arrows': 'Tab jusqu’à lui, flèches',
+  'Tab arrows': 'Tab flèches',
   'Remove the selected source': 'Enlever la source choisie',
   '× in the list': '× dans la liste',
   Delete: 'Suppr',
@@ -82,14 +80,14 @@ export const HELP: Texts = {
   'Cancel, close, back out': 'Annuler, fermer, revenir',
   Esc: 'Échap',
   'This help': 'Cette aide',
-  'What lengths are told in. None is converted.': 'L’unité des longueurs. Aucune n’est convertie.',
+  'The unit of lengths. None is converted.': 'L’unité des longueurs. Aucune n’est convertie.',
   'Which of the animations of the file is shown.': 'L’animation du fichier qui est montrée.',
   'The moment at which the model stands, or begins to play.': 'Le moment où le modèle est arrêté, ou commence.',
   'Times as fast as the file says.': 'Combien de fois plus vite que le fichier.',
   'Begins again at the end.': 'Recommence à la fin.',
   'Measured in the pose of the file, or anew in each pose that is shown.':
     'Mesurée dans la pose du fichier, ou de nouveau dans chaque pose montrée.',
-  'What lengths are told in from then on.': 'L’unité des longueurs à partir de là.',
+  'The unit of lengths from then on.': 'L’unité des longueurs à partir de là.',
   'What a click or a drag on the surface adds: a line, a stroke, a whole boundary or part.':
     'Ce qu’ajoute un clic ou un glissement sur la surface : une ligne, un trait, un bord ou une pièce entière.',
   'A drag on the surface paints instead of orbiting.': 'Glisser sur la surface peint au lieu de tourner autour.',

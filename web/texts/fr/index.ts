@@ -1,7 +1,9 @@
-/** Every text of the page in French. */
+/** Every text of the page in French, and what workers say. */
 import type { Texts } from '../translate';
 import { HELP } from './help';
-import { PAGE } from './page';
+import { ARCHIVES, PAGE } from './page';
 import { PANEL } from './panel';
+import { REPORTS as OF_MODULES } from './reports';
 
-export const FRENCH: Texts = { ...PANEL, ...PAGE, ...HELP };
+export const FRENCH: Texts = { ...PANEL, ...PAGE, ...HELP, ...ARCHIVES };
+export const REPORTS: Texts = { ...ARCHIVES, ...OF_MODULES };

@@ -90,7 +90,6 @@ export const PAGE: Texts = {
   approximate: 'approchée',
   'least cost, approximate': 'moindre coût, approchée',
   'not connected': 'non reliés',
-  'area {0} {1}': 'aire {0} {1}',
   'Area enclosed: {0}.': 'Aire enclose : {0}.',
   'This tape does not part the surface in two, so it encloses no area.':
     'Ce ruban ne partage pas la surface en deux ; il n’enclôt donc aucune aire.',
@@ -123,11 +122,8 @@ export const PAGE: Texts = {
   'Working on the right side…': 'Calcul du côté droit…',
   'Mean difference': 'Différence moyenne',
   'Largest difference': 'Plus grande différence',
-  ', exact': ', exact',
-  '{0} sources': 'Sources : {0}',
   'Exact region automatic': 'Région exacte automatique',
   'Exact region {0} edges': 'Région exacte de {0} arêtes',
-  'Memory {0}': 'Mémoire {0}',
   Refined: 'Raffiné',
   'Not refined': 'Non raffiné',
   'Compare linear solvers': 'Comparer les solveurs linéaires',
@@ -293,16 +289,12 @@ export const PAGE: Texts = {
   'There is no mesh yet.': 'Il n’y a pas encore de maillage.',
   'Added, {0} away from there.': 'Ajoutée, à {0} de là.',
   'Added.': 'Ajoutée.',
-  '{0} sources added{1}.': '{0} sources ajoutées{1}.',
-  ', at most {0} away from where they were given': ', à {0} au plus des endroits donnés',
   '{0}: no triangle has vertex {1}.': '{0} : aucun triangle n’a le sommet {1}.',
   '{0}: there is no vertex {1}; the mesh has {2}, counted from 0.':
     '{0} : il n’y a pas de sommet {1} ; le maillage en a {2}, comptés à partir de 0.',
   'FBX and COLLADA (.dae) files are not read: convert them to GLB, in Blender (COLLADA up to version 4.5) or by “assimp export model.fbx model.glb”.':
     'Les fichiers FBX et COLLADA (.dae) ne sont pas lus : convertissez-les en GLB, dans Blender (COLLADA jusqu’à la version 4.5) ou par « assimp export model.fbx model.glb ».',
-  ' and {0} more files': ' et {0} autres fichiers',
   'No mesh found in {0}. Supported formats: {1}.': 'Aucun maillage trouvé dans {0}. Formats lus : {1}.',
-  'what was given': 'ce qui a été donné',
   'the address gives a web page, not a mesh; use the address of the file itself':
     'l’adresse donne une page web, non un maillage ; prenez l’adresse du fichier lui-même',
   '{0} answered with status {1}': '{0} a répondu par le statut {1}',
@@ -327,21 +319,6 @@ export const PAGE: Texts = {
     'son {0} vient d’une autre version de la page ; rechargez la page, et rouvrez-le',
   'its mesh {0} is not in the archive; save the scene again':
     'son maillage {0} n’est pas dans l’archive ; enregistrez de nouveau la scène',
-  'an archive may have 2 GiB at most; unpack it and open the files':
-    'une archive peut avoir 2 Gio au plus ; décompressez-la et ouvrez les fichiers',
-  '{0} is not in the archive': '{0} n’est pas dans l’archive',
-  '{0} is encrypted; unpack the archive and open the files':
-    '{0} est chiffré ; décompressez l’archive et ouvrez les fichiers',
-  '{0} is packed by method {1}, which is not supported; pack it again as a plain .zip':
-    '{0} est compressé par la méthode {1}, qui n’est pas lue ; recompressez-le en simple .zip',
-  '{0} and what is with it take more than {1} MiB unpacked, too much for an archive of this size':
-    '{0} et ce qui l’accompagne prennent plus de {1} Mio une fois décompressés, trop pour une archive de cette taille',
-  'the archive holds {0} twice; unpack it and open the files':
-    'l’archive contient {0} deux fois ; décompressez-la et ouvrez les fichiers',
-  '{0} claims to be {1} times as large as it is packed': '{0} prétend être {1} fois plus grand que compressé',
-  'the archive is damaged or cut short; copy it again': 'l’archive est endommagée ou tronquée ; copiez-la de nouveau',
-  'the archive holds {0} files, more than {1}; unpack it and open the files':
-    'l’archive contient {0} fichiers, plus de {1} ; décompressez-la et ouvrez les fichiers',
   zebra: 'zèbre',
   model: 'modèle',
   gold: 'or',
@@ -377,4 +354,143 @@ export const PAGE: Texts = {
   viridis: 'viridis',
   'single color': 'une seule couleur',
   "the file's materials": 'les matériaux du fichier',
+  '{0} {1}': '{0} {1}',
+  '{0} (assumed)': '{0} (supposé)',
+  '{0} ({1})': '{0} ({1})',
+  'cubic units': 'unités cubes',
+  'square units': 'unités carrées',
+  '{0} %': '{0} %',
+  '{0} s': '{0} s',
+  '{0} ms': '{0} ms',
+  '{0} tetrahedron': '{0} tétraèdre',
+  '{0} triangle': '{0} triangle',
+  '{0} vertex': '{0} sommet',
+  '{0} vertices': '{0} sommets',
+  '{0} component': '{0} composante',
+  '{0} components': '{0} composantes',
+  '{0}.': '{0}.',
+  '{0} boundary': '{0} bord',
+  '{0} boundaries': '{0} bords',
+  'Paths cross gaps between boundaries, up to {1} units wide, at {0} place.':
+    'Les chemins franchissent des écarts entre bords, larges de {1} unités au plus, à {0} endroit.',
+  'Paths cross gaps between boundaries, up to {1} units wide, at {0} places.':
+    'Les chemins franchissent des écarts entre bords, larges de {1} unités au plus, à {0} endroits.',
+  'This is a simplified model of {0}; it differs by about {1}, {2} of the diagonal.':
+    'Ceci est un modèle simplifié de {0} ; l’écart est d’environ {1}, soit {2} de la diagonale.',
+  '{0} point or line left out': '{0} point ou ligne omis',
+  '{0} points or lines left out': '{0} points ou lignes omis',
+  '{0} statement of a curve left out; save the model as polygons':
+    '{0} instruction d’une courbe omise ; enregistrez le modèle sous forme de polygones',
+  '{0} statements of curves left out; save the model as polygons':
+    '{0} instructions de courbes omises ; enregistrez le modèle sous forme de polygones',
+  '{0} cell that fills space left out': '{0} cellule volumique omise',
+  '{0} cells that fill space left out': '{0} cellules volumiques omises',
+  '{0} unknown statement left out': '{0} instruction inconnue omise',
+  '{0} unknown statements left out': '{0} instructions inconnues omises',
+  '{0} facet without endfacet': '{0} facette sans endfacet',
+  '{0} facets without endfacet': '{0} facettes sans endfacet',
+  '{0} curved cell made flat between the corners': '{0} cellule courbe aplatie entre les sommets',
+  '{0} curved cells made flat between the corners': '{0} cellules courbes aplaties entre les sommets',
+  '{0} polygon crosses itself; the triangles are a guess':
+    '{0} polygone se croise lui-même ; les triangles sont une supposition',
+  '{0} polygons cross themselves; the triangles are a guess':
+    '{0} polygones se croisent eux-mêmes ; les triangles sont une supposition',
+  '{0} contact': '{0} contact',
+  '{0} contacts': '{0} contacts',
+  '{0} link': '{0} lien',
+  '{0} links': '{0} liens',
+  '{0} groups': '{0} groupes',
+  '{0} link over a gap of {1} units; {2}.': '{0} lien par-dessus un écart de {1} unités ; {2}.',
+  '{0} links over gaps of up to {1} units; {2}.': '{0} liens par-dessus des écarts allant jusqu’à {1} unités ; {2}.',
+  'welded {0} seam vertex': '{0} sommet de couture soudé',
+  'welded {0} seam vertices': '{0} sommets de couture soudés',
+  'welded {0} crack vertex within {1} units': '{0} sommet de fissure soudé à moins de {1} unités',
+  'welded {0} crack vertices within {1} units': '{0} sommets de fissure soudés à moins de {1} unités',
+  'removed {0} unreferenced vertex': '{0} sommet inutilisé supprimé',
+  'removed {0} unreferenced vertices': '{0} sommets inutilisés supprimés',
+  'removed {0} degenerate triangle': '{0} triangle dégénéré supprimé',
+  'removed {0} degenerate triangles': '{0} triangles dégénérés supprimés',
+  'removed {0} duplicate triangle': '{0} triangle en double supprimé',
+  'removed {0} duplicate triangles': '{0} triangles en double supprimés',
+  'flipped {0} triangle': '{0} triangle retourné',
+  'flipped {0} triangles': '{0} triangles retournés',
+  'cut along {0} non-manifold edge': 'coupé le long de {0} arête non variété',
+  'cut along {0} non-manifold edges': 'coupé le long de {0} arêtes non variété',
+  'heat method, {0} exact': 'méthode de la chaleur, {0} exact',
+  'propagation, {0} exact': 'propagation, {0} exact',
+  'By waves. Straight lines lead from {0} of the vertices to a source: these are exact.':
+    'Par ondes. Des lignes droites mènent de {0} des sommets à une source : ceux-ci sont exacts.',
+  'By the heat method: exact below {0} units ({1} of vertices).':
+    'Par la méthode de la chaleur : exact en deçà de {0} unités ({1} des sommets).',
+  'By the heat method.': 'Par la méthode de la chaleur.',
+  'By propagation with {0} window: exact below {1} units ({2} of vertices), an upper bound beyond.':
+    'Par propagation avec {0} fenêtre : exact en deçà de {1} unités ({2} des sommets), une borne supérieure au-delà.',
+  'By propagation with {0} windows: exact below {1} units ({2} of vertices), an upper bound beyond.':
+    'Par propagation avec {0} fenêtres : exact en deçà de {1} unités ({2} des sommets), une borne supérieure au-delà.',
+  'By propagation with {0} window.': 'Par propagation avec {0} fenêtre.',
+  'By propagation with {0} windows.': 'Par propagation avec {0} fenêtres.',
+  'Error of the heat method: {0}.': 'Erreur de la méthode de la chaleur : {0}.',
+  'Error of propagation with {0} window: {1}.': 'Erreur de la propagation avec {0} fenêtre : {1}.',
+  'Error of propagation with {0} windows: {1}.': 'Erreur de la propagation avec {0} fenêtres : {1}.',
+  'Closed line of {0} vertex': 'Ligne fermée de {0} sommet',
+  'Closed line of {0} vertices': 'Ligne fermée de {0} sommets',
+  'Line of {0} vertex': 'Ligne de {0} sommet',
+  'Line of {0} vertices': 'Ligne de {0} sommets',
+  'Closed curve of {0} point': 'Courbe fermée de {0} point',
+  'Closed curve of {0} points': 'Courbe fermée de {0} points',
+  'Stroke of {0} point': 'Trait de {0} point',
+  'Stroke of {0} points': 'Trait de {0} points',
+  'Boundary of {0} vertex': 'Bord de {0} sommet',
+  'Boundary of {0} vertices': 'Bord de {0} sommets',
+  'Component of {0} vertex': 'Composante de {0} sommet',
+  'Component of {0} vertices': 'Composante de {0} sommets',
+  '{0}, {1}': '{0}, {1}',
+  'Refinement stopped because memory ran out.': 'Le raffinement s’est arrêté faute de mémoire.',
+  'The path is straightened where no exact one was found.':
+    'Le chemin est redressé là où aucun chemin exact n’a été trouvé.',
+  'Refinement stopped after {0} seconds.': 'Le raffinement s’est arrêté au bout de {0} secondes.',
+  'Refinement stopped because it made no progress.': 'Le raffinement s’est arrêté car il n’avançait plus.',
+  'Refinement is off.': 'Le raffinement est désactivé.',
+  'Where costs differ, windows and paths are refracted and nothing is exact.':
+    'Là où les coûts diffèrent, fenêtres et chemins sont réfractés et rien n’est exact.',
+  'A component ({0}) is not connected to any source and is drawn hatched. Add a source there, or link it.':
+    'Une composante ({0}) n’est reliée à aucune source et est hachurée. Ajoutez-y une source, ou reliez-la.',
+  '{1} ({2}) is not connected to any source and is drawn hatched. Add a source there, or link it.':
+    'Sans lien avec aucune source, et donc hachuré : {1} ({2}). Ajoutez-y une source, ou reliez cette pièce.',
+  '{1} ({2}) are not connected to any source and are drawn hatched. Add a source there, or link them.':
+    'Sans lien avec aucune source, et donc hachurés : {1} ({2}). Ajoutez-y une source, ou reliez ces pièces.',
+  '{0} isoline': '{0} isoligne',
+  '{0} isolines': '{0} isolignes',
+  '{0} sources added, at most {1} away from where they were given.':
+    '{0} sources ajoutées, à {1} au plus des endroits donnés.',
+  '{0} sources added.': '{0} sources ajoutées.',
+  '{0} more file': '{0} autre fichier',
+  '{0} more files': '{0} autres fichiers',
+  'the input': 'ce qui a été donné',
+  'Σ {0} · {1}': 'Σ {0} · {1}',
+  'Σ {0}': 'Σ {0}',
+  'area {0} {1}²': 'aire {0} {1}²',
+  'area {0}': 'aire {0}',
+  '≈ {0}': '≈ {0}',
+  '{0} (P)': '{0} (P)',
+  'there is no entry {0} of {1}': 'il n’y a pas d’entrée {0} sur {1}',
+};
+
+/** Archives are opened in workers too. */
+export const ARCHIVES: Texts = {
+  'an archive may have 2 GiB at most; unpack it and open the files':
+    'une archive peut avoir 2 Gio au plus ; décompressez-la et ouvrez les fichiers',
+  '{0} is not in the archive': '{0} n’est pas dans l’archive',
+  '{0} is encrypted; unpack the archive and open the files':
+    '{0} est chiffré ; décompressez l’archive et ouvrez les fichiers',
+  '{0} is packed by method {1}, which is not supported; pack it again as a plain .zip':
+    '{0} est compressé par la méthode {1}, qui n’est pas lue ; recompressez-le en simple .zip',
+  '{0} and what is with it take more than {1} MiB unpacked, too much for an archive of this size':
+    '{0} et ce qui l’accompagne prennent plus de {1} Mio une fois décompressés, trop pour une archive de cette taille',
+  'the archive holds {0} twice; unpack it and open the files':
+    'l’archive contient {0} deux fois ; décompressez-la et ouvrez les fichiers',
+  '{0} claims to be {1} times as large as it is packed': '{0} prétend être {1} fois plus grand que compressé',
+  'the archive is damaged or cut short; copy it again': 'l’archive est endommagée ou tronquée ; copiez-la de nouveau',
+  'the archive holds {0} files, more than {1}; unpack it and open the files':
+    'l’archive contient {0} fichiers, plus de {1} ; décompressez-la et ouvrez les fichiers',
 };

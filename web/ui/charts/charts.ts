@@ -12,13 +12,14 @@ import { type LengthUnit, unitOf } from '../../state/scene';
 import { legsOf } from '../../state/tapes';
 import { h } from '../dom';
 import { arcsOf, pointsOf, positionsOf } from '../measure/curves';
-import { percent } from '../words';
+import { percent, withUnit } from '../words';
 import { type CutSurface, straightCut } from './cut';
 import { convergenceStudy } from './convergence';
 import { figure } from './figure';
 import type { Chart, Series } from './plot';
 import { table1 } from './table1';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
+import { entry } from '../../state/entry';
 
 const BINS = 40;
 /** Fields follow one another faster than charts are read. */
@@ -106,7 +107,7 @@ function residualCharts({ heat, poisson, heatFactored, poissonFactored }: Residu
 }
 
 /** Over the steps of conjugate gradients, with that of the one Cholesky solve beside them. */
-function residualChart(title: string, iterated: Float64Array, factored: number): Chart {
+function residualChart(title: Words, iterated: Float64Array, factored: number): Chart {
   const x = Array.from(iterated, (_, step) => step);
   const series: Series[] = [
     { name: t('Conjugate gradients'), kind: 'line', x, y: iterated },
@@ -123,8 +124,8 @@ interface Profile {
 
 /** A line along which distance is drawn; `length` names the way along it. */
 interface Line extends Profile {
-  title: string;
-  length: string;
+  title: Words;
+  length: Words;
 }
 
 /** What the worker was asked for; null where there is none. */
@@ -141,35 +142,37 @@ function chartsOf(
   { opened, places, answer }: Shown,
   { errors, walk, lines, distances }: Fetched,
   unit: LengthUnit,
-): { charts: Chart[]; notes: string[] } {
+): { charts: Chart[]; notes: Words[] } {
   const { field, question } = answer;
   if (!field) return { charts: [], notes: [t('Set a source to see how distance is distributed.')] };
   const { scale, symbol } = unit;
-  const inUnit = (name: string) => (symbol ? `${name} (${symbol})` : name);
+  const inUnit = (name: Words) => withUnit(name, symbol);
   const xLabel = inUnit(t('Distance'));
   const positions = question.moment ? places.positions : opened.surface.positions;
   const { triangles } = opened.surface;
   const { edges, below, unreached } = distributionOf({ ...field, positions, triangles }, BINS);
-  const told = edges.map((edge) => edge * scale);
+  const bounds = edges.map((edge) => edge * scale);
   const shares = below.map((share) => 100 * share);
-  const bars = shares.slice(1).map((share, index) => share - shares[index]);
+  const bars = shares.slice(1).map((share, index) => share - entry(shares, index));
   const area = t('Area (%)');
   const charts: Chart[] = [
-    { title: t('Area by distance'), xLabel, yLabel: area, series: [{ name: area, kind: 'bars', x: told, y: bars }] },
+    { title: t('Area by distance'), xLabel, yLabel: area, series: [{ name: area, kind: 'bars', x: bounds, y: bars }] },
     {
       title: t('Area within a distance'),
       xLabel,
       yLabel: area,
-      series: [{ name: area, kind: 'line', x: told, y: shares }],
+      series: [{ name: area, kind: 'line', x: bounds, y: shares }],
     },
   ];
-  const notes: string[] = [];
+  const notes: Words[] = [];
   if (unreached > 0) notes.push(t`No source reaches ${percent(unreached)} of the area, which is left out.`);
   if (walk) {
-    const [x, y] = [0, 1].map((column) =>
-      Array.from({ length: walk.length / 2 }, (_, i) => scale * walk[2 * i + column]),
-    );
-    const series = [{ name: xLabel, kind: 'line' as const, x, y }];
+    const column = (of: number) =>
+      Array.from(
+        walk.filter((_, i) => i % 2 === of),
+        (value) => scale * value,
+      );
+    const series = [{ name: xLabel, kind: 'line' as const, x: column(0), y: column(1) }];
     charts.push({ title: t('Distance along the path'), xLabel: inUnit(t('Along the path')), yLabel: xLabel, series });
   }
   for (const { title, length, x, points } of lines) {
@@ -216,7 +219,7 @@ function linesOf(
 async function distancesOf(session: Session, lines: readonly Line[]): Promise<Map<MeshPoint, number>> {
   const points = lines.flatMap((line) => line.points);
   const distances = points.length > 0 ? await exactDistances(session, points) : null;
-  return new Map(distances ? points.map((point, index) => [point, distances[index]]) : []);
+  return new Map(distances ? points.map((point, index) => [point, entry(distances, index)]) : []);
 }
 
 /** Places over the length along a tape; null while its paths are not known, and inside of tetrahedra. */
@@ -245,7 +248,7 @@ function cutOf({ tape }: MeasuredTape, mesh: CutSurface, places: Places, stretch
     if (!cut) return null;
     x.push(...cut.arcs.map((arc) => before + stretch * arc));
     points.push(...cut.points);
-    before = x[x.length - 1];
+    before = x.at(-1) ?? before;
   }
   return x.length > 0 ? { x, points } : null;
 }

@@ -5,12 +5,12 @@ import { measureConvergence } from '../../solver/convergence';
 import { type Level, levelsOf, markdownOf, MOST_TRIANGLES, slopeOf, studied } from '../../state/convergence';
 import { allSources } from '../../state/sources';
 import { type LengthUnit, unitOf } from '../../state/scene';
-import { h } from '../dom';
-import { count, fixed } from '../words';
+import { h, say } from '../dom';
+import { tenths, withUnit } from '../words';
 import { figure } from './figure';
 import { markdownButton, measuring } from './measuring';
 import type { Chart, Series } from './plot';
-import { t } from '../../texts';
+import { count, t, type Words } from '../../texts';
 
 const TITLES = {
   heat: t('Error of heat'),
@@ -39,7 +39,7 @@ export function convergenceStudy(session: Session): HTMLElement {
       signal,
       (done, triangles) => {
         progress.value = done;
-        said.textContent = t`Measuring ${count(triangles)} triangles, ${done + 1} of ${steps}.`;
+        say(said, t`Measuring ${count(triangles)} triangles, ${done + 1} of ${steps}.`);
       },
       (level) => {
         // Drawn, the surface has another size.
@@ -90,7 +90,7 @@ export function convergenceStudy(session: Session): HTMLElement {
     cancel();
     [levels.length, measured, saving.hidden] = [0, null, true];
     charts.replaceChildren();
-    said.textContent = '';
+    say(said, '');
   };
   session.shown.watch(follow);
   follow();
@@ -98,16 +98,16 @@ export function convergenceStudy(session: Session): HTMLElement {
 }
 
 function chartsOf(levels: readonly Level[], { symbol }: LengthUnit): Chart[] {
-  const xLabel = symbol ? `${t('Mean edge')} (${symbol})` : t('Mean edge');
+  const xLabel = withUnit(t('Mean edge'), symbol);
   return (['heat', 'propagation'] as const).flatMap((method) => {
     // Small surfaces may lie within the exact region, and no logarithm is that of an error of 0.
     const inexact = levels.filter((level) => level[method].mean > 0);
     if (inexact.length === 0) return [];
-    const line = (name: string, errorOf: (level: Level) => number): Series => {
+    const line = (name: Words, errorOf: (level: Level) => number): Series => {
       const slope = slopeOf(inexact, errorOf);
-      const told = slope === null ? name : t`${name}, slope ${fixed(Math.round(10 * slope) / 10 || 0, 1)}`;
+      const title = slope === null ? name : t`${name}, slope ${tenths(Math.round(10 * slope) / 10 || 0)}`;
       const [x, y] = [inexact.map(({ edge }) => edge), inexact.map((level) => 100 * errorOf(level))];
-      return { name: told, kind: 'points', x, y };
+      return { name: title, kind: 'points', x, y };
     };
     const series = [line(t('Maximum'), (level) => level[method].max), line(t('Mean'), (level) => level[method].mean)];
     return [{ title: TITLES[method], xLabel, yLabel: t('Error (%)'), logarithmic: 'both' as const, series }];

@@ -1,8 +1,9 @@
 /** The surface cut straight from one place to another. */
 import type { MeshPoint, OpenedMesh } from '../../protocol';
 import type { Places } from '../../state/places';
-import { between, cross, distance, dot, minus, moved, type Vector, vectorAt } from '../../state/vector';
+import { between, cornersOf, cross, distance, dot, minus, moved, type Vector, vectorAt } from '../../state/vector';
 import { arcsOf } from '../measure/curves';
+import { entry } from '../../state/entry';
 
 export interface Cut {
   /** From the first place to the second. */
@@ -46,10 +47,14 @@ export function straightCut(mesh: CutSurface, places: PlacesOn, from: MeshPoint,
       if (!crossings) continue;
       const points = [from, ...crossings.map(({ point }) => point), to];
       const arcs = arcsOf([start.position, ...crossings.map(({ position }) => position), end.position]);
-      if (!best || arcs[arcs.length - 1] < best.arcs[best.arcs.length - 1]) best = { points, arcs };
+      if (!best || lengthOf(arcs) < lengthOf(best.arcs)) best = { points, arcs };
     }
   }
   return best;
+}
+
+function lengthOf(arcs: readonly number[]): number {
+  return arcs.at(-1) ?? 0;
 }
 
 /** From triangle to triangle through `exit`, until one that is a goal; null where the surface ends before, and back at the beginning. */
@@ -65,7 +70,7 @@ function walk(
   let last = exit;
   while (!goals.has(last.face)) {
     crossings.push(last);
-    const face = mesh.neighbors[3 * last.face + last.side];
+    const face = entry(mesh.neighbors, 3 * last.face + last.side);
     if (face === last.face || face === start) return null;
     if (goals.has(face)) return crossings;
     const [one, other] = crossingsOf(mesh, places, face, height);
@@ -77,8 +82,8 @@ function walk(
 
 /** Whether the cut comes in by `one` of both crossings, and not by the `other`, where it has left the triangle before. */
 function isEntry({ neighbors }: CutSurface, one: Crossing, other: Crossing, before: Crossing): boolean {
-  const [leads, otherLeads] = [one, other].map(({ face, side }) => neighbors[3 * face + side] === before.face);
-  if (leads !== otherLeads) return leads;
+  const leads = ({ face, side }: Crossing) => neighbors[3 * face + side] === before.face;
+  if (leads(one) !== leads(other)) return leads(one);
   return distance(one.position, before.position) <= distance(other.position, before.position);
 }
 
@@ -89,16 +94,16 @@ function crossingsOf(
   face: number,
   height: (position: Vector) => number,
 ): Crossing[] {
-  const corners = [0, 1, 2].map((k) => vectorAt(positions, triangles[3 * face + k]));
-  const heights = corners.map(height);
-  return [0, 1, 2].flatMap((side) => {
+  const corners = cornersOf(positions, triangles, face);
+  return corners.flatMap((from, side) => {
     const next = (side + 1) % 3;
-    const [h0, h1] = [heights[side], heights[next]];
+    const to = entry(corners, next);
+    const [h0, h1] = [height(from), height(to)];
     if (h0 < 0 === h1 < 0) return [];
     const share = h0 / (h0 - h1);
     const weights: Vector = [0, 0, 0];
     [weights[side], weights[next]] = [1 - share, share];
-    const position = between(corners[side], corners[next], share);
+    const position = between(from, to, share);
     return [{ face, side, point: { face, weights }, position }];
   });
 }

@@ -5,7 +5,7 @@ import { t } from '../../texts';
 
 /** A chart with the buttons that save it. */
 export function figure(chart: Chart, name: string): HTMLElement {
-  const file = `${name} ${chart.title.toLowerCase()}`;
+  const file = `${name} ${String(chart.title).toLowerCase()}`;
   const button = (kind: 'SVG' | 'CSV', blob: () => Blob) =>
     h(
       'button',

@@ -2,8 +2,8 @@
 import { messageOf } from '../../error';
 import { Cancelled } from '../../solver/remote';
 import { copy } from '../clipboard';
-import { h } from '../dom';
-import { t } from '../../texts';
+import { h, say } from '../dom';
+import { t, type Words } from '../../texts';
 
 export interface Measuring {
   button: HTMLButtonElement;
@@ -13,11 +13,11 @@ export interface Measuring {
 }
 
 interface Task {
-  label: string;
+  label: Words;
   /** Of the steps that progress counts. */
-  steps: string;
+  steps: Words;
   /** Rejects where `signal` is aborted; the sentence that it ends with. */
-  measure: (signal: AbortSignal) => Promise<string>;
+  measure: (signal: AbortSignal) => Promise<Words>;
   /** However it has ended. */
   ended: () => void;
 }
@@ -31,15 +31,15 @@ export function measuring({ label, steps, measure, ended }: Task): Measuring {
     running = new AbortController();
     const { signal } = running;
     progress.hidden = false;
-    button.textContent = t('Cancel');
+    say(button, t('Cancel'));
     try {
-      said.textContent = await measure(signal);
+      say(said, await measure(signal));
     } catch (error) {
       const isCancelled = error instanceof Cancelled || signal.aborted;
-      said.textContent = isCancelled ? t('Cancelled.') : messageOf(error);
+      say(said, isCancelled ? t('Cancelled.') : messageOf(error));
     } finally {
       running = null;
-      button.textContent = label;
+      say(button, label);
       progress.hidden = true;
       ended();
     }
@@ -52,9 +52,9 @@ export function measuring({ label, steps, measure, ended }: Task): Measuring {
 }
 
 /** A button that puts Markdown on the clipboard. */
-export function markdownButton(text: () => string, said: HTMLElement, instead: string): HTMLElement {
+export function markdownButton(text: () => string, said: HTMLElement, instead: Words): HTMLElement {
   const give = async () => {
-    said.textContent = (await copy(text())) ? t('Copied.') : instead;
+    say(said, (await copy(text())) ? t('Copied.') : instead);
   };
   return h('button', { class: 'small', onclick: () => void give() }, t('Copy as Markdown'));
 }

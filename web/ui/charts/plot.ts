@@ -1,8 +1,12 @@
 /** A chart as SVG: bars or lines over one axis, with labels that are text, so that the file can be edited. */
-import { t } from '../../texts';
+import { entry } from '../../state/entry';
+import { numbers, t, type Words } from '../../texts';
+import { attribute, say } from '../dom';
+
+const plain = numbers({ maximumFractionDigits: 12, useGrouping: false });
 
 export interface Series {
-  name: string;
+  name: Words;
   /** Points are joined by lines. Bars stand from each x to the next one, which is one more than there are y. */
   kind: 'bars' | 'line' | 'points';
   x: ArrayLike<number>;
@@ -10,9 +14,9 @@ export interface Series {
 }
 
 export interface Chart {
-  title: string;
-  xLabel: string;
-  yLabel: string;
+  title: Words;
+  xLabel: Words;
+  yLabel: Words;
   /** `up`: powers of ten at equal steps upwards; values of 0 lie on the lowest one. `both`: as much of both axes as values take, which are above 0. */
   logarithmic?: 'up' | 'both';
   series: readonly Series[];
@@ -49,7 +53,7 @@ const TICKS = 5;
 /** Of axes that are fitted to their values: on either side, a share of what these take; in powers of ten where there is one value. */
 const FITTED_MARGIN = 0.08;
 const LONE_MARGIN = 0.3;
-/** What is told of each power of ten, on axes of at most so many; on longer ones the powers alone. */
+/** Which multiples of each power of ten have a tick, on axes of at most `decades`; on longer ones the powers alone. */
 const STEPS = [
   { decades: 1, steps: [1, 1.5, 2, 3, 4, 5, 7] },
   { decades: 2.5, steps: [1, 2, 5] },
@@ -72,11 +76,11 @@ export function ticksTo(most: number, count = TICKS): number[] {
 interface Axis {
   /** Where a value is, from 0 at the origin to 1 at the end. */
   place: (value: number) => number;
-  ticks: readonly { value: number; label: string }[];
+  ticks: readonly { value: number; label: Words }[];
 }
 
 function linearAxis(most: number): Axis {
-  const ticks = ticksTo(most).map((value) => ({ value, label: String(value) }));
+  const ticks = ticksTo(most).map((value) => ({ value, label: plain(value) }));
   return { place: (value) => (most > 0 ? value / most : 0), ticks };
 }
 
@@ -111,9 +115,9 @@ export function fittedAxis(values: readonly number[]): Axis {
 }
 
 /** Up to four places; else as a product with a power of ten. */
-function shortly(value: number): string {
+function shortly(value: number): Words {
   const power = Math.floor(Math.log10(value) + 1e-9);
-  if (power > -4 && power < 4) return String(value);
+  if (power > -4 && power < 4) return plain(value);
   const digit = Math.round(value / 10 ** power);
   return `${digit === 1 ? '' : `${digit}·`}10${superscript(power)}`;
 }
@@ -144,13 +148,13 @@ export function plot({ title, xLabel, yLabel, logarithmic, series }: Chart, pale
   });
   root.append(svg('rect', { width: WIDTH, height: HEIGHT, fill: palette.paper }));
   root.append(text(title, { x: MARGIN.left, y: 14, fill: palette.text, 'font-weight': 600, 'font-size': 12 }));
-  for (const { value, label } of up.ticks) {
+  for (const { value, label: words } of up.ticks) {
     const y = py(value).toFixed(1);
     root.append(svg('path', { d: `M${MARGIN.left} ${y}H${right}`, stroke: palette.grid }));
-    root.append(text(label, { x: MARGIN.left - 5, y, dy: '0.35em', 'text-anchor': 'end', fill: palette.quiet }));
+    root.append(text(words, { x: MARGIN.left - 5, y, dy: '0.35em', 'text-anchor': 'end', fill: palette.quiet }));
   }
-  for (const { value, label } of along.ticks) {
-    root.append(text(label, { x: px(value).toFixed(1), y: bottom + 13, 'text-anchor': 'middle', fill: palette.quiet }));
+  for (const { value, label: words } of along.ticks) {
+    root.append(text(words, { x: px(value).toFixed(1), y: bottom + 13, 'text-anchor': 'middle', fill: palette.quiet }));
   }
   root.append(
     text(xLabel, { x: (MARGIN.left + right) / 2, y: HEIGHT - 6, 'text-anchor': 'middle', fill: palette.text }),
@@ -160,15 +164,16 @@ export function plot({ title, xLabel, yLabel, logarithmic, series }: Chart, pale
     text(yLabel, { transform: `translate(11 ${middle}) rotate(-90)`, 'text-anchor': 'middle', fill: palette.text }),
   );
   series.forEach(({ name, kind, x, y }, index) => {
-    const color = palette.series[index % palette.series.length];
-    const at = (i: number) => `${px(x[i]).toFixed(2)} ${py(y[i]).toFixed(2)}`;
-    const bar = (i: number) =>
-      `M${px(x[i]).toFixed(2)} ${bottom}V${py(y[i]).toFixed(2)}H${px(x[i + 1]).toFixed(2)}V${bottom}Z`;
+    const color = entry(palette.series, index % palette.series.length);
+    const left = (i: number) => px(entry(x, i)).toFixed(2);
+    const top = (i: number) => py(entry(y, i)).toFixed(2);
+    const at = (i: number) => `${left(i)} ${top(i)}`;
+    const bar = (i: number) => `M${left(i)} ${bottom}V${top(i)}H${left(i + 1)}V${bottom}Z`;
     const order = Array.from({ length: y.length }, (_, i) => i);
     if (kind === 'bars') root.append(svg('path', { d: order.map(bar).join(''), fill: color }));
     else root.append(svg('path', { d: `M${order.map(at).join('L')}`, fill: 'none', stroke: color, 'stroke-width': 2 }));
     if (kind === 'points') {
-      for (const i of order) root.append(svg('circle', { cx: px(x[i]), cy: py(y[i]), r: POINT, fill: color }));
+      for (const i of order) root.append(svg('circle', { cx: left(i), cy: top(i), r: POINT, fill: color }));
     }
     if (series.length > 1) {
       root.append(text(name, { x: right, y: 14 + 12 * index, 'text-anchor': 'end', fill: color, 'font-weight': 600 }));
@@ -182,29 +187,27 @@ export function svgFile(chart: Chart): Blob {
   return new Blob([new XMLSerializer().serializeToString(plot(chart, PRINTED))], { type: 'image/svg+xml' });
 }
 
-/** One line an x of the first series; a bar is told by where it begins. */
+/** One line an x of the first series; a bar is written with where it begins. */
 export function csvOf({ xLabel, series }: Chart): string {
-  const rows = Array.from({ length: series[0]?.y.length ?? 0 }, (_, i) => [
-    series[0].x[i],
-    ...series.map(({ y }) => y[i]),
-  ]);
-  const head = [xLabel, ...series.map(({ name }) => name)].map((name) => `"${name.replaceAll('"', '""')}"`);
+  const [first] = series;
+  const rows = Array.from(first?.y ?? [], (_, i) => [first?.x[i], ...series.map(({ y }) => y[i])]);
+  const head = [xLabel, ...series.map(({ name }) => name)].map((name) => `"${String(name).replaceAll('"', '""')}"`);
   return [head, ...rows].map((row) => row.join(',')).join('\r\n') + '\r\n';
 }
 
 function svg<K extends keyof SVGElementTagNameMap>(
   tag: K,
-  attributes: Record<string, string | number>,
+  attributes: Record<string, Words | number>,
 ): SVGElementTagNameMap[K] {
   const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
   for (const [name, value] of Object.entries(attributes)) {
-    element.setAttribute(name, String(value));
+    attribute(element, name, value);
   }
   return element;
 }
 
-function text(content: string, attributes: Record<string, string | number>): SVGTextElement {
+function text(content: Words, attributes: Record<string, string | number>): SVGTextElement {
   const element = svg('text', attributes);
-  element.textContent = content;
+  say(element, content);
   return element;
 }

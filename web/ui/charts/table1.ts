@@ -2,9 +2,9 @@
 import { measureTable } from '../../solver/table1';
 import { csvOf, markdownOf, milliseconds, REPORT, type Row, type Times } from '../../state/table1';
 import { save } from '../../view/picture';
-import { h } from '../dom';
+import { h, say } from '../dom';
 import { markdownButton, measuring } from './measuring';
-import { t } from '../../texts';
+import { count, t, type Words } from '../../texts';
 
 export function table1(): HTMLElement {
   const rows: Row[] = [];
@@ -24,11 +24,11 @@ export function table1(): HTMLElement {
       signal,
       ({ done, title }) => {
         progress.value = done;
-        said.textContent = t`Measuring ${title}, ${done + 1} of ${REPORT.length}.`;
+        say(said, t`Measuring ${title}, ${done + 1} of ${REPORT.length}.`);
       },
       (row) => {
         rows.push(row);
-        body.append(cells('td', [row.title, String(row.triangles), timesOf(row.iterated), timesOf(row.factored)]));
+        body.append(cells('td', [row.title, count(row.triangles), timesOf(row.iterated), timesOf(row.factored)]));
       },
     );
     return t('Done. Other work on this device makes times longer.');
@@ -70,7 +70,7 @@ export function table1(): HTMLElement {
   );
 }
 
-function cells(tag: 'th' | 'td', words: readonly string[]): HTMLElement {
+function cells(tag: 'th' | 'td', words: readonly Words[]): HTMLElement {
   return h('tr', {}, ...words.map((word) => h(tag, {}, word)));
 }
 

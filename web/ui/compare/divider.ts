@@ -2,11 +2,11 @@
 import type { Comparison } from '../../session/comparison';
 import type { Session } from '../../session/session';
 import { differing, MIDDLE, SPLITS } from '../../state/compared';
-import { h, icon } from '../dom';
+import { attribute, h, icon, say } from '../dom';
 import { draggable, hasModifier, keyGesture } from '../gesture';
 import { printLabel } from '../print';
 import { percent } from '../words';
-import { told } from './words';
+import { settingsWords } from './words';
 import { t } from '../../texts';
 import type { PlaneContext } from '../../view/view';
 
@@ -77,10 +77,10 @@ export class Divider {
     this.element.hidden = !compared || this.#comparison.answer.value === null;
     if (!compared) return;
     const keys = differing(own, compared);
-    this.#left.textContent = told(own, keys);
-    this.#right.textContent = told(compared, keys);
+    say(this.#left, settingsWords(own, keys));
+    say(this.#right, settingsWords(compared, keys));
     this.#grip.setAttribute('aria-valuenow', compared.split.toFixed(2));
-    this.#grip.setAttribute('aria-valuetext', `${percent(compared.split)} ${this.#left.textContent}`);
+    attribute(this.#grip, 'aria-valuetext', t`${percent(compared.split)} ${settingsWords(own, keys)}`);
     this.follow();
   }
 

@@ -7,14 +7,14 @@ import { isMethodOf } from '../../state/inside';
 import { isSameUnit, type LengthUnit, unitOf } from '../../state/scene';
 import type { Settings } from '../../state/settings';
 import { BOUNDARY, LINEAR_SOLVER, METHOD, OPERATOR, type Parameters, WINDOWS } from '../../wasm/contract';
-import { h, labelled, select, toggle } from '../dom';
+import { h, labelled, say, select, toggle } from '../dom';
 import { BOUNDARIES, METHODS, OPERATORS, SOLVERS, timeFactor } from '../settings';
-import { count, finePercent, length, measure, milliseconds } from '../words';
+import { finePercent, length, measure, milliseconds } from '../words';
 import { difference } from './difference';
-import { told } from './words';
-import { t } from '../../texts';
+import { settingsWords } from './words';
+import { count, listed, t, type Words } from '../../texts';
 
-const CHOICES: Record<Studied, string> = {
+const CHOICES: Record<Studied, Words> = {
   'time-step': t('m = 1 and m = 1000'),
   solver: t('Cholesky and conjugate gradients'),
   boundary: t('Neumann and Dirichlet'),
@@ -86,7 +86,7 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     for (const { name, element } of studied) element.hidden = name === (isInside ? 'exact' : 'automatic');
     begin.hidden = compared !== null;
     for (const each of [swap, end]) each.hidden = compared === null;
-    status.textContent = comparison.working.value ? t('Working on the right side…') : '';
+    say(status, comparison.working.value ? t('Working on the right side…') : '');
     status.hidden = status.textContent === '';
     const isByHeat = compared?.method === 'heat';
     side.hidden = figures.hidden = compared === null;
@@ -112,15 +112,20 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     const [left, right] = [session.shown.value?.answer, comparison.answer.value];
     if (!compared || !left) return [];
     const keys = differing(own, compared);
-    const both = (tell: (answer: NonNullable<typeof left>) => string) => [left, right].map((one) => one && tell(one));
-    const rows: [string, ...(string | null | undefined)[]][] = [
+    const both = (tell: (answer: NonNullable<typeof left>) => Words) => [left, right].map((one) => one && tell(one));
+    const rows: [Words, ...(Words | null | undefined)[]][] = [
       [t('Factor'), ...both(({ factoring }) => timeOf(factoring.timings.precomputeMs))],
       [t('Solve'), ...both(({ field }) => (field ? milliseconds(field.solveMs) : '–'))],
       [t('Maximum distance'), ...both(({ field }) => (field ? measure(field.maxDistance, unit) : '–'))],
       [t('Path'), ...both(({ path, pathKind }) => pathWords(path, pathKind, unit))],
     ];
     const apart = left.field && right?.field ? difference(left.field, right.field) : null;
-    const head = h('tr', {}, h('td'), ...[own, compared].map((one) => h('th', { scope: 'col' }, told(one, keys))));
+    const head = h(
+      'tr',
+      {},
+      h('td'),
+      ...[own, compared].map((one) => h('th', { scope: 'col' }, settingsWords(one, keys))),
+    );
     return [
       h('thead', {}, head),
       h(
@@ -156,7 +161,7 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
   );
 }
 
-function button(text: string, click: () => void): HTMLElement {
+function button(text: Words, click: () => void): HTMLElement {
   return h('button', { class: 'wide', onclick: click }, text);
 }
 
@@ -169,15 +174,17 @@ function settingsDiffer(one: Settings, other: Settings): boolean {
   );
 }
 
-function timeOf(ms: number): string {
+function timeOf(ms: number): Words {
   return ms > 0 ? milliseconds(ms) : '–';
 }
 
-function pathWords(path: SurfacePath | null, kind: PathKind, unit: LengthUnit): string {
-  return path ? `${measure(path.length, unit)}${kind === 'exact' ? t(', exact') : ''}` : '–';
+function pathWords(path: SurfacePath | null, kind: PathKind, unit: LengthUnit): Words {
+  if (!path) return '–';
+  const words = measure(path.length, unit);
+  return kind === 'exact' ? listed(words, t('exact')) : words;
 }
 
-function differenceRow(name: string, share: number | undefined): HTMLElement {
+function differenceRow(name: Words, share: number | undefined): HTMLElement {
   const words = share === undefined ? '–' : share === 0 ? length(0) : finePercent(share);
   return h('tr', {}, h('th', { scope: 'row' }, name), h('td', { colspan: 2 }, words));
 }

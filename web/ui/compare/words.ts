@@ -2,18 +2,18 @@
 import type { SettingKey, Settings } from '../../state/settings';
 import { AUTOMATIC } from '../../wasm/contract';
 import { BOUNDARIES, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS } from '../settings';
-import { counted, length } from '../words';
-import { t } from '../../texts';
+import { length } from '../words';
+import { counted, listed, t, type Words } from '../../texts';
 
-const WORDS: Record<SettingKey, (settings: Settings) => string> = {
+const WORDS: Record<SettingKey, (settings: Settings) => Words> = {
   method: ({ method }) => METHODS[method],
-  windows: ({ windows }) => counted(windows, 'window'),
-  t: ({ parameters: { timeStep } }) => `m ${timeStep === AUTOMATIC ? t('automatic') : `= ${length(timeStep)}`}`,
+  windows: ({ windows }) => counted(windows, '{0} window', '{0} windows'),
+  t: ({ parameters: { timeStep } }) => (timeStep === AUTOMATIC ? t('m automatic') : t`m = ${length(timeStep)}`),
   b: ({ parameters }) => BOUNDARIES[parameters.boundary],
-  multi: ({ parameters }) => t`${MULTI_SOURCES[parameters.sources]} sources`,
+  multi: ({ parameters }) => t`Sources: ${MULTI_SOURCES[parameters.sources]}`,
   near: ({ parameters: { exactRadius } }) =>
     exactRadius === AUTOMATIC ? t('Exact region automatic') : t`Exact region ${exactRadius} edges`,
-  memory: ({ parameters: { memory } }) => t`Memory ${memory === AUTOMATIC ? t('automatic') : t`${memory} MiB`}`,
+  memory: ({ parameters: { memory } }) => (memory === AUTOMATIC ? t('Memory automatic') : t`Memory ${memory} MiB`),
   op: ({ parameters }) => OPERATORS[parameters.operator],
   solver: ({ parameters }) => SOLVERS[parameters.solver],
   refine: ({ refine }) => (refine ? t('Refined') : t('Not refined')),
@@ -23,9 +23,9 @@ const WORDS: Record<SettingKey, (settings: Settings) => string> = {
 const OF_HEAT: readonly SettingKey[] = ['t', 'b', 'multi', 'near', 'memory', 'op', 'solver'];
 const OF_WINDOWS: readonly SettingKey[] = ['windows'];
 
-/** What settings are told apart by: of two methods, by these. */
-export function told(settings: Settings, keys: readonly SettingKey[]): string {
+/** The settings in which two sides differ; of two methods, these alone. */
+export function settingsWords(settings: Settings, keys: readonly SettingKey[]): Words {
   const others = settings.method === 'heat' ? OF_WINDOWS : OF_HEAT;
   const meant = keys.includes('method') ? ['method' as const] : keys.filter((key) => !others.includes(key));
-  return meant.map((key) => WORDS[key](settings)).join(', ') || METHODS[settings.method];
+  return meant.length > 0 ? listed(...meant.map((key) => WORDS[key](settings))) : METHODS[settings.method];
 }

@@ -1,15 +1,17 @@
 /** Answers the page around the frame, and tells it what happens. Nobody else is heard, and nobody else is answered. */
 import type { Events, Message, Method, Methods, Openable, Options, Request } from '../../embed';
-import { messageOf } from '../../error';
+import { Failure, messageOf } from '../../error';
 import type { MeshPoint } from '../../protocol';
-import { Opener, startOf, startOfGiven, type Voice } from '../../session/opener';
+import { Opener, startOf, startOfFile, type Notifier } from '../../session/opener';
 import type { GroundEditor } from '../../session/ground';
 import type { Session } from '../../session/session';
+import { entry } from '../../state/entry';
 import { decodeLink, isOpenedWith, isUndoable } from '../../state/link';
 import type { SceneState } from '../../state/scene';
 import type { Heatwalk } from '../scripting';
 import { distancesOf, fieldFigures, meshFigures, pathOf, stateOf } from './figures';
 import { addressed, parseRequest, VERSION } from './requests';
+import { sentences, type Words } from '../../texts';
 
 /** As the pointer tells clicks from drags: see `PointerInput`. */
 const CLICK_PX = 4;
@@ -18,8 +20,8 @@ const CLICK_MS = 250;
 export interface EmbeddingOptions {
   session: Session;
   api: Heatwalk;
-  /** Where what is opened is told. */
-  messages: Voice;
+  /** Where what is opened is reported. */
+  messages: Notifier;
   ground: GroundEditor;
   /** To the present scene. */
   link: () => string;
@@ -59,7 +61,7 @@ class Embedding {
       const { answer, transferred = [] } = await this.#answer(parseRequest(data));
       this.#post({ heatwalk: VERSION, id, answer }, host, transferred);
     } catch (error) {
-      this.#post({ heatwalk: VERSION, id, error: messageOf(error) }, host);
+      this.#post({ heatwalk: VERSION, id, error: String(messageOf(error)) }, host);
     }
   }
 
@@ -82,10 +84,10 @@ class Embedding {
       if (field && isAnew) this.#tell('solved', fieldFigures(field));
     });
     session.failure.watch((failure) => {
-      if (failure) this.#tell('error', { message: failure.message });
+      if (failure) this.#tell('error', { message: String(messageOf(failure)) });
     });
     session.view.trouble.watch((message) => {
-      if (message) this.#tell('error', { message });
+      if (message) this.#tell('error', { message: String(message) });
     });
     this.#followClicks(session.view.stage);
   }
@@ -161,17 +163,17 @@ class Embedding {
     // What is in the address of the frame would come back over it.
     await api.ready;
     const before = session.shown.value?.opened;
-    let reason = '';
+    let reason: Words | null = null;
     await openWith(
       new Opener(
         session,
-        quiet(messages, (refused) => (reason = refused)),
+        quiet(messages, (failure) => (reason = failure)),
         ground,
       ),
       what,
     );
     const { value: shown } = session.shown;
-    if (reason) throw new Error(reason);
+    if (reason !== null) throw new Failure(reason);
     if (!shown || shown.opened === before) throw new Error('The opening was cancelled.');
     return meshFigures(shown, session.scene.state);
   }
@@ -197,15 +199,15 @@ class Embedding {
 }
 
 /** Tells what was opened as ever, and leaves it to the host to show what was not. */
-function quiet(voice: Voice, refused: (reason: string) => void): Voice {
+function quiet(notifier: Notifier, failed: (reason: Words) => void): Notifier {
   return {
-    opened: (shown, unit) => voice.opened(shown, unit),
-    notice: (text) => voice.notice(text),
-    choice: (shown, meshes, open) => voice.choice(shown, meshes, open),
-    fail: refused,
-    askForFile: (name) => voice.askForFile(name),
-    offer: (address, open) => voice.offer(address, open),
-    forget: () => voice.forget(),
+    opened: (shown, unit) => notifier.opened(shown, unit),
+    notice: (text) => notifier.notice(text),
+    choice: (shown, meshes, open) => notifier.choice(shown, meshes, open),
+    fail: failed,
+    askForFile: (name) => notifier.askForFile(name),
+    offer: (address, open) => notifier.offer(address, open),
+    forget: () => notifier.forget(),
   };
 }
 
@@ -222,9 +224,9 @@ async function openWith(opener: Opener, what: Openable): Promise<void> {
     if (mesh.kind !== 'address') throw new Error(`${what.url} is no http or https address.`);
     return opener.address(mesh.address, options ? { mesh, ...state } : null);
   }
-  const [{ name: title }] = what.files;
+  const { name: title } = entry(what.files, 0);
   const files = what.files.map(({ name, content }) => ({ path: name, content: new Blob([content]) }));
-  const state = options ? decoded(`m=file&name=${encodeURIComponent(title)}${options}`, startOfGiven) : null;
+  const state = options ? decoded(`m=file&name=${encodeURIComponent(title)}${options}`, startOfFile) : null;
   return opener.files({ title, files: Promise.resolve(files) }, state);
 }
 
@@ -238,7 +240,7 @@ async function openLink(opener: Opener, link: string): Promise<void> {
 /** Throws what a link would be forgiven. */
 function decoded(fragment: string, start: typeof startOf = startOf): SceneState {
   const { state, notices, unknown } = decodeLink(fragment, start);
-  if (notices.length > 0) throw new Error(notices.join(' '));
+  if (notices.length > 0) throw new Failure(sentences(...notices));
   if (unknown.length > 0) throw new Error(`There is no option ${unknown.join(', ')}.`);
   if (!state) throw new Error('The link names no mesh.');
   return state;

@@ -1,11 +1,13 @@
-/** What the page around the frame is told, in the words of web/embed.ts. */
+/** What the page around the frame gets, in the types of web/embed.ts. */
 import type { Distances, FieldFigures, MeshFigures, Path, State } from '../../embed';
 import type { DistanceField, DrawTransform } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { type SceneState, unitOf } from '../../state/scene';
-import type { Up } from '../../wasm/contract';
 import type { Heatwalk } from '../scripting';
+import { entry } from '../../state/entry';
+import { filePlace } from '../../session/nearest';
+import { vectorsIn } from '../../state/vector';
 
 export function meshFigures({ opened, places }: Shown, state: SceneState): MeshFigures {
   const { name, report } = opened;
@@ -46,11 +48,11 @@ export function distancesOf({ opened, answer: { field } }: Pick<Shown, 'opened' 
   const values = new Float64Array(report.inputVertices).fill(Number.NaN);
   // Where walls part a vertex, the nearest side of it counts.
   const take = (drawn: number, value: number) => {
-    const vertex = inputVertices[drawn];
-    if (!(values[vertex] <= value)) values[vertex] = value;
+    const vertex = entry(inputVertices, drawn);
+    if (!(entry(values, vertex) <= value)) values[vertex] = value;
   };
-  if (field.byCorner) surface.triangles.forEach((drawn, corner) => take(drawn, field.distance[corner]));
-  else inputVertices.forEach((_, drawn) => take(drawn, field.distance[drawn]));
+  if (field.byCorner) surface.triangles.forEach((drawn, corner) => take(drawn, entry(field.distance, corner)));
+  else field.distance.forEach((value, drawn) => take(drawn, value));
   return { ...fieldFigures(field), values };
 }
 
@@ -61,45 +63,7 @@ export function pathOf({ opened, answer: { path, pathKind } }: Pick<Shown, 'open
   return { points: inFile(points, opened.drawTransform), length, cost, kind: pathKind };
 }
 
-/** For each axis of the file, the drawn axis that it lies along, and the sign: the inverse of `Up::turned` of the solver. */
-const TURNED: Readonly<Record<Up, readonly (readonly [axis: number, sign: number])[]>> = {
-  y: [
-    [0, 1],
-    [1, 1],
-    [2, 1],
-  ],
-  z: [
-    [0, 1],
-    [2, -1],
-    [1, 1],
-  ],
-  x: [
-    [1, 1],
-    [0, -1],
-    [2, 1],
-  ],
-  '-y': [
-    [0, 1],
-    [1, -1],
-    [2, -1],
-  ],
-  '-z': [
-    [0, 1],
-    [2, 1],
-    [1, -1],
-  ],
-  '-x': [
-    [1, -1],
-    [0, 1],
-    [2, 1],
-  ],
-};
-
 /** Points × 3 as they are drawn, in the axes and the unit of the file. */
-export function inFile(drawn: Float32Array, { center, scale, up }: DrawTransform): Float64Array {
-  const axes = TURNED[up];
-  return Float64Array.from(drawn, (_, index) => {
-    const [axis, sign] = axes[index % 3];
-    return (sign * drawn[index - (index % 3) + axis]) / scale + center[index % 3];
-  });
+export function inFile(drawn: Float32Array, transform: DrawTransform): Float64Array {
+  return Float64Array.from(vectorsIn(drawn).flatMap((point) => filePlace(point, transform)));
 }

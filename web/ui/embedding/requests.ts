@@ -19,16 +19,16 @@ export function parseRequest(data: unknown): Request {
   if (!isObject(data)) throw new Error('A request is an object.');
   const { heatwalk, id, method } = data;
   if (heatwalk !== VERSION)
-    throw new Error(`This page speaks version ${VERSION} of the messages, and the request is of ${told(heatwalk)}.`);
+    throw new Error(`This page speaks version ${VERSION} of the messages, and the request is of ${shown(heatwalk)}.`);
   if (typeof method !== 'string' || !Object.hasOwn(PARSERS, method))
-    throw new Error(`There is no method ${told(method)}; there are ${Object.keys(PARSERS).join(', ')}.`);
+    throw new Error(`There is no method ${shown(method)}; there are ${Object.keys(PARSERS).join(', ')}.`);
   const wanted = PARSERS[method as Method](data);
   return { ...wanted, heatwalk: VERSION, id, method } as Request;
 }
 
-type Given = Readonly<Record<string, unknown>>;
+type Fields = Readonly<Record<string, unknown>>;
 
-const PARSERS: { [M in Method]: (given: Given) => object } = {
+const PARSERS: { [M in Method]: (given: Fields) => object } = {
   hello: () => ({}),
   open: openable,
   set: ({ options }) => ({ options: optionsOf(options) }),
@@ -40,21 +40,21 @@ const PARSERS: { [M in Method]: (given: Given) => object } = {
   picture: ({ scale = 1, clear = false }) => {
     const [least, most] = SCALES;
     if (typeof scale !== 'number' || !(scale >= least && scale <= most))
-      throw new Error(`scale is ${told(scale)}; a number from ${least} to ${most} is needed.`);
-    if (typeof clear !== 'boolean') throw new Error(`clear is ${told(clear)}; true or false is needed.`);
+      throw new Error(`scale is ${shown(scale)}; a number from ${least} to ${most} is needed.`);
+    if (typeof clear !== 'boolean') throw new Error(`clear is ${shown(clear)}; true or false is needed.`);
     return { scale, clear };
   },
 };
 
 const WAYS = ['preset', 'url', 'files', 'link'];
 
-function openable(given: Given): Openable {
+function openable(given: Fields): Openable {
   const [way, ...more] = WAYS.filter((each) => given[each] !== undefined);
   if (way === undefined || more.length > 0) throw new Error(`open takes one of ${WAYS.join(', ')}.`);
   const options = given['options'] === undefined ? {} : { options: optionsOf(given['options']) };
   if (way === 'files') return { files: filesOf(given['files']), ...options };
   const named = given[way];
-  if (typeof named !== 'string') throw new Error(`${way} is ${told(named)}; a text is needed.`);
+  if (typeof named !== 'string') throw new Error(`${way} is ${shown(named)}; a text is needed.`);
   if (way === 'link') {
     if ('options' in options) throw new Error('A link brings its options with it: leave out one of link and options.');
     return { link: named };
@@ -65,37 +65,37 @@ function openable(given: Given): Openable {
 function filesOf(given: unknown): EmbeddedFile[] {
   if (!Array.isArray(given) || given.length === 0) throw new Error('files is a list of one file at least.');
   return given.map((file: unknown, index) => {
-    if (!isObject(file)) throw new Error(`files[${index}] is ${told(file)}; { name, content } is needed.`);
+    if (!isObject(file)) throw new Error(`files[${index}] is ${shown(file)}; { name, content } is needed.`);
     const { name, content } = file;
     if (typeof name !== 'string' || name === '')
-      throw new Error(`files[${index}].name is ${told(name)}; a text is needed.`);
+      throw new Error(`files[${index}].name is ${shown(name)}; a text is needed.`);
     if (!(content instanceof Blob) && !(content instanceof ArrayBuffer))
-      throw new Error(`files[${index}].content is ${told(content)}; a Blob, File or ArrayBuffer is needed.`);
+      throw new Error(`files[${index}].content is ${shown(content)}; a Blob, File or ArrayBuffer is needed.`);
     return { name, content };
   });
 }
 
 function optionsOf(given: unknown): Options {
-  if (!isObject(given)) throw new Error(`options is ${told(given)}; an object of keys of the link is needed.`);
+  if (!isObject(given)) throw new Error(`options is ${shown(given)}; an object of keys of the link is needed.`);
   return Object.fromEntries(
     Object.entries(given).map(([key, value]) => {
       if (ADDRESS_KEYS.includes(key)) throw new Error(`${key} is no option: open says what is opened.`);
       if (typeof value !== 'string' && (typeof value !== 'number' || !Number.isFinite(value)))
-        throw new Error(`The option ${key} is ${told(value)}; a text or a number is needed.`);
+        throw new Error(`The option ${key} is ${shown(value)}; a text or a number is needed.`);
       return [key, value];
     }),
   );
 }
 
 function sourcesOf(given: unknown): Source[] {
-  if (!Array.isArray(given)) throw new Error(`sources is ${told(given)}; a list is needed.`);
+  if (!Array.isArray(given)) throw new Error(`sources is ${shown(given)}; a list is needed.`);
   if (given.length > MOST_SOURCES) throw new Error(`There are ${given.length} sources; ${MOST_SOURCES} may be given.`);
   return given.map((source: unknown, index) => {
     const name = `sources[${index}]`;
     const place = placeOf(source, name);
-    const { offset = 0 } = source as Given;
+    const { offset = 0 } = source as Fields;
     if (typeof offset !== 'number' || !(offset >= 0 && offset < Infinity))
-      throw new Error(`${name}.offset is ${told(offset)}; a distance from 0 is needed.`);
+      throw new Error(`${name}.offset is ${shown(offset)}; a distance from 0 is needed.`);
     return offset > 0 ? { ...place, offset } : place;
   });
 }
@@ -111,11 +111,11 @@ function placeOf(given: unknown, name: string): Source {
       if (isIndex(vertex)) return { vertex };
       const count = isIndex(face) ? 3 : 4;
       if (!areWeights(weights, count))
-        throw new Error(`${name}.weights is ${told(weights)}; ${count} numbers from 0 that sum to 1 are needed.`);
+        throw new Error(`${name}.weights is ${shown(weights)}; ${count} numbers from 0 that sum to 1 are needed.`);
       return { ...(isIndex(face) ? { face } : { tetrahedron }), weights } as unknown as Source;
     }
   }
-  throw new Error(`${name} is ${told(given)}; { vertex }, { face, weights } or { tetrahedron, weights } is needed.`);
+  throw new Error(`${name} is ${shown(given)}; { vertex }, { face, weights } or { tetrahedron, weights } is needed.`);
 }
 
 function areWeights(given: unknown, count: number): given is number[] {
@@ -129,14 +129,14 @@ function isIndex(given: unknown): given is number {
   return typeof given === 'number' && Number.isInteger(given) && given >= 0 && given < 2 ** 32;
 }
 
-function isObject(given: unknown): given is Given {
+function isObject(given: unknown): given is Fields {
   return typeof given === 'object' && given !== null && !Array.isArray(given);
 }
 
 const TOLD_LETTERS = 60;
 
 /** What was given, in few letters. */
-function told(given: unknown): string {
+function shown(given: unknown): string {
   if (given === undefined) return 'missing';
   if (typeof given === 'number' || typeof given === 'bigint') return String(given);
   const text = typeof given === 'object' ? JSON.stringify(given) : `“${String(given)}”`;

@@ -1,11 +1,11 @@
 /** What the hand can do on this device, and lines on the settings. Fetched when it is asked for first. */
 import '../../style/help.css';
-import { h, labelled, select, toggle } from '../dom';
+import { h, labelled, sayAgain, select, toggle } from '../dom';
 import { hasShortcuts, setShortcuts } from '../shortcuts';
 import { addressOf } from './documents';
 import { explain } from './explain';
 import { GESTURES } from './gestures';
-import { choose, language, type Language, LANGUAGES, t } from '../../texts';
+import { choose, language, type Language, LANGUAGES, t, type Words } from '../../texts';
 
 const EXPLAINED = 'explains';
 const codes = Object.keys(LANGUAGES) as Language[];
@@ -19,15 +19,22 @@ const arrivals = new MutationObserver((changes) => {
 });
 
 /** Opens the help. `panel`: whose settings can be explained; null where there is none. */
-export function openHelp(panel: HTMLElement | null): void {
+export function openHelp(panel: HTMLElement | null, failed: (error: unknown) => void): void {
+  let table = gestures();
+  const spoken = () => {
+    sayAgain();
+    const former = table;
+    // Its keys are cut out of words.
+    former.replaceWith((table = gestures()));
+  };
   const close = h('button', { class: 'small', 'aria-label': t('Close the help'), onclick: () => dialog.close() }, '×');
   const dialog = h(
     'dialog',
     { class: 'help', 'aria-label': t('Help') },
     h('div', { class: 'help-head' }, h('h2', {}, t('Help')), close),
     ...(panel ? [explaining(panel)] : []),
-    ...languages(),
-    gestures(),
+    languages(spoken, failed),
+    table,
     ...shortcuts(),
     h(
       'p',
@@ -59,9 +66,9 @@ function gestures(): HTMLElement {
   return h('table', {}, h('thead', {}, head), h('tbody', {}, ...rows));
 }
 
-function keyCell(keys: string | null): HTMLElement {
+function keyCell(keys: Words | null): HTMLElement {
   const cell = h('td');
-  for (const each of keys?.split(' ') ?? []) {
+  for (const each of keys === null ? [] : String(keys).split(' ')) {
     const together = each
       .split(/(?<=.)\+(?=.)/)
       .flatMap((key, i) => (i === 0 ? [h('kbd', {}, key)] : ['+', h('kbd', {}, key)]));
@@ -70,17 +77,16 @@ function keyCell(keys: string | null): HTMLElement {
   return cell;
 }
 
-/** The choice takes effect with the next start of the page, which is left to the user: a dropped mesh would have to be dropped again. */
-function languages(): HTMLElement[] {
-  const reload = h('button', { class: 'small', onclick: () => location.reload() }, t('Reload the page'));
-  const note = h('p', { class: 'quiet', role: 'status', hidden: true });
+/** `spoken`: the page has another language; `failed`: its texts cannot be loaded. */
+function languages(spoken: () => void, failed: (error: unknown) => void): HTMLElement {
   const { element, show } = select(t('Language'), labelled(codes, LANGUAGES), (chosen) => {
-    choose(chosen);
-    note.hidden = chosen === language;
-    if (chosen !== language) note.replaceChildren(t('The page has this language once it is reloaded.'), ' ', reload);
+    choose(chosen).then(spoken, (error: unknown) => {
+      show(language);
+      failed(error);
+    });
   });
   show(language);
-  return [element, note];
+  return element;
 }
 
 function shortcuts(): HTMLElement[] {

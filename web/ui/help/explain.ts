@@ -2,7 +2,7 @@
 import { h } from '../dom';
 import { addressOf } from './documents';
 import { explanationOf, SECTIONS } from './settings';
-import { t } from '../../texts';
+import { Phrase, t, type Words } from '../../texts';
 
 /** The name that a setting has in the panel. */
 function nameOf(field: Element): string {
@@ -18,8 +18,11 @@ export function explain(panel: HTMLElement): void {
   for (const section of panel.querySelectorAll<HTMLElement>('details[id^="section-"]')) {
     const id = section.id.replace('section-', '');
     const summary = section.querySelector('summary');
-    if (summary && id in SECTIONS && !isExplained(summary)) {
-      summary.after(h('p', { class: 'explanation' }, link(SECTIONS[id], t`More about ${summary.textContent}`)));
+    const see = SECTIONS[id];
+    if (summary && see !== undefined && !isExplained(summary)) {
+      summary.after(
+        h('p', { class: 'explanation' }, link(see, t`More about ${new Phrase(() => summary.textContent)}`)),
+      );
     }
     for (const field of section.querySelectorAll<HTMLElement>('.field')) {
       const name = nameOf(field);
@@ -28,8 +31,9 @@ export function explain(panel: HTMLElement): void {
       const line = h(
         'p',
         { class: 'explanation' },
-        `${explanation.line} `,
-        link(explanation.see, t`More about ${name}`),
+        explanation.line,
+        ' ',
+        link(explanation.see, t`More about ${new Phrase(() => nameOf(field))}`),
       );
       line.hidden = field.hidden;
       field.after(line);
@@ -39,7 +43,7 @@ export function explain(panel: HTMLElement): void {
   }
 }
 
-function link(see: string, name: string): HTMLElement {
+function link(see: string, name: Words): HTMLElement {
   return h(
     'a',
     { class: 'about', href: addressOf(see), target: '_blank', rel: 'noopener', 'aria-label': name },

@@ -1,11 +1,11 @@
 /** What the hand can do: with a mouse, with fingers or a pen, and with the keyboard. Null: nothing does it. */
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 export interface Gesture {
-  what: string;
-  mouse: string | null;
-  touch: string | null;
+  what: Words;
+  mouse: Words | null;
+  touch: Words | null;
   /** Keys that are pressed together have a plus sign between them. */
-  keys: string | null;
+  keys: Words | null;
 }
 
 export const GESTURES: readonly Gesture[] = [
@@ -39,7 +39,7 @@ export const GESTURES: readonly Gesture[] = [
     what: t('Move a corner of the selected line'),
     mouse: t('drag'),
     touch: t('drag'),
-    keys: t('Tab to it, arrows'),
+    keys: t('Tab arrows'),
   },
   { what: t('Remove the selected source'), mouse: t('× in the list'), touch: t('× in the list'), keys: t('Delete') },
   { what: t('Place the walker'), mouse: t('alt + click'), touch: t('long press'), keys: 'W' },

@@ -1,19 +1,19 @@
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 /**
  * A line on every setting of the panel, by section and by the name that it has there; `see` is a heading of the documents.
  * Every control of the panel has one: a test looks.
  */
 export interface Explanation {
-  line: string;
+  line: Words;
   see: string;
 }
 
-const about = (line: string, see: string): Explanation => ({ line, see });
+const about = (line: Words, see: string): Explanation => ({ line, see });
 
 /** That of a setting by the name that it is shown by. */
 export function explanationOf(section: string, shown: string): Explanation | undefined {
-  return Object.entries(SETTINGS[section] ?? {}).find(([name]) => t(name) === shown)?.[1];
+  return Object.entries(SETTINGS[section] ?? {}).find(([name]) => String(t(name)) === shown)?.[1];
 }
 
 export const SECTIONS: Record<string, string> = {
@@ -35,7 +35,7 @@ export const SECTIONS: Record<string, string> = {
 
 export const SETTINGS: Record<string, Record<string, Explanation>> = {
   scene: {
-    Unit: about(t('What lengths are told in. None is converted.'), 'method#units'),
+    Unit: about(t('The unit of lengths. None is converted.'), 'method#units'),
   },
   animation: {
     Animation: about(t('Which of the animations of the file is shown.'), 'page#animations'),
@@ -45,7 +45,7 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
     Distance: about(t('Measured in the pose of the file, or anew in each pose that is shown.'), 'page#animations'),
   },
   measure: {
-    'Unit of the known length': about(t('What lengths are told in from then on.'), 'page#tapes'),
+    'Unit of the known length': about(t('The unit of lengths from then on.'), 'page#tapes'),
   },
   sources: {
     Draw: about(

@@ -1,25 +1,26 @@
 /** The corners of the line along edges that is selected, for the keyboard: each has the focus in turn, and arrows move it. */
 import type { Session } from '../../session/session';
 import { selectedSet } from '../../state/edit';
+import { entry } from '../../state/entry';
 import type { SourceSet } from '../../state/sources';
 import type { MeshPoint } from '../../protocol';
-import { h } from '../dom';
+import { attribute, h, say } from '../dom';
 import { arrowOf, hasModifier, keyGesture } from '../gesture';
 import type { DrawInput } from './draw';
 import { t } from '../../texts';
 
-/** A corner goes to the first vertex in the direction of the arrow: it is looked for in steps of so many CSS pixels, at most so many. */
+/** A corner goes to the first vertex in the direction of the arrow: it is looked for in at most `MOST_STEPS` steps of `STEP_PX` CSS pixels. */
 const STEP_PX = 4;
 const MOST_STEPS = 60;
 
 export class LineCorners {
-  readonly #told = h('p', { class: 'unseen', 'aria-live': 'polite' });
+  readonly #announced = h('p', { class: 'unseen', 'aria-live': 'polite' });
   readonly #layer = h('div', {});
   readonly element = h(
     'section',
     { class: 'corner-layer', 'aria-label': t('Corners of the line'), hidden: true },
     this.#layer,
-    this.#told,
+    this.#announced,
   );
   readonly #session: Session;
   readonly #draw: DrawInput;
@@ -38,8 +39,9 @@ export class LineCorners {
   /** Goes to where they are seen now. */
   follow(): void {
     if (this.element.hidden) return;
-    [...this.#layer.children].forEach((button, place) => {
-      const pixel = this.#pixelOf(this.#corners[place]);
+    this.#corners.forEach((vertex, place) => {
+      const button = this.#layer.children[place];
+      const pixel = this.#pixelOf(vertex);
       if (!(button instanceof HTMLElement)) return;
       button.hidden = pixel === null;
       if (pixel) button.style.transform = `translate(${pixel[0].toFixed(1)}px, ${pixel[1].toFixed(1)}px)`;
@@ -65,10 +67,10 @@ export class LineCorners {
     this.element.hidden = corners.length === 0;
     corners.forEach((vertex, place) => {
       const words = t`Corner ${place + 1} of ${corners.length}, vertex ${vertex}`;
-      const button = this.#layer.children[place];
-      button.setAttribute('aria-label', words);
+      const button = entry(this.#layer.children, place);
+      attribute(button, 'aria-label', words);
       const isMoved = vertex !== before[place] && button === document.activeElement;
-      if (isMoved) this.#told.textContent = words;
+      if (isMoved) say(this.#announced, words);
     });
     this.follow();
   }
@@ -85,7 +87,7 @@ export class LineCorners {
     if (!arrow || !set || hasModifier(event)) return;
     event.preventDefault();
     event.stopPropagation();
-    const vertex = this.#corners[place];
+    const vertex = entry(this.#corners, place);
     const there = this.#towards(vertex, arrow);
     if (!there) return;
     this.#draw.hold({ set, place, vertex }, this.#keys());

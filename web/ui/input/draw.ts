@@ -9,7 +9,7 @@ import type { PointHit } from '../../view/view';
 import type { Tool } from '../../state/tool';
 import type { Target } from './pick';
 
-/** Places of a stroke are an edge apart, and so many of them fit into the diameter at least and at most. */
+/** Least and greatest number of places of a stroke in a diameter; between these, they are a mean edge apart. */
 const PLACES = [100, 1000] as const;
 /** Places of a stroke at most, and those that are looked for at once. */
 const LONGEST = 10_000;

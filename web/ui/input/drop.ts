@@ -1,12 +1,12 @@
 /** Files and folders from a drag or from a dialogue. */
 import { formats } from '../../files/paths';
-import type { Given } from '../../session/opener';
+import type { InputFiles } from '../../session/opener';
 import { h } from '../dom';
-import { draggedAddress, givenFiles, givenItems } from './given';
-import { t } from '../../texts';
+import { draggedAddress, filesOf, itemsOf } from './files';
+import { t, type Words } from '../../texts';
 
 /** The quiet frame over the whole canvas while something to open is dragged over the window. */
-export function dropTarget(open: (given: Given) => void, fetch: (address: string) => void): HTMLElement {
+export function dropTarget(open: (input: InputFiles) => void, fetch: (address: string) => void): HTMLElement {
   const frame = h(
     'div',
     { class: 'drop', hidden: true },
@@ -38,7 +38,7 @@ export function dropTarget(open: (given: Given) => void, fetch: (address: string
     const { dataTransfer } = event;
     const address = dataTransfer && draggedAddress(dataTransfer);
     if (address) fetch(address);
-    else if (dataTransfer?.types.includes('Files')) open(givenItems(dataTransfer.items));
+    else if (dataTransfer?.types.includes('Files')) open(itemsOf(dataTransfer.items));
   });
   return frame;
 }
@@ -50,27 +50,27 @@ export interface Dialogue {
   choose: (() => void) | null;
 }
 
-export function fileDialogue(open: (given: Given) => void): Dialogue & { choose: () => void } {
+export function fileDialogue(open: (input: InputFiles) => void): Dialogue & { choose: () => void } {
   const accept =
     '.glb,.gltf,.bin,.obj,.mtl,.off,.ply,.stl,.3mf,.vtk,.vtp,.vtu,.mesh,.meshb,.msh,.node,.ele,.csv,.png,.jpg,.jpeg,.webp,.zip';
   return dialogue({ multiple: true, accept, 'aria-label': t('Open mesh files') }, open);
 }
 
-export function folderDialogue(open: (given: Given) => void): Dialogue {
+export function folderDialogue(open: (input: InputFiles) => void): Dialogue {
   const { element, choose } = dialogue({ webkitdirectory: true, 'aria-label': t('Open a folder') }, open);
   return { element, choose: 'webkitdirectory' in element ? choose : null };
 }
 
 function dialogue(
-  attributes: Record<string, string | boolean>,
-  open: (given: Given) => void,
+  attributes: Record<string, Words | boolean>,
+  open: (input: InputFiles) => void,
 ): Dialogue & { choose: () => void } {
   const input = h('input', {
     type: 'file',
     hidden: true,
     ...attributes,
     onchange: () => {
-      open(givenFiles(input.files ?? []));
+      open(filesOf(input.files ?? []));
       // The same file may be chosen again.
       input.value = '';
     },
@@ -78,7 +78,7 @@ function dialogue(
   return { element: input, choose: () => input.click() };
 }
 
-/** Files, and addresses from other pages: what a drag holds is not told before it is dropped. */
+/** Files, and addresses from other pages: the content of a drag is not known before the drop. */
 function isOpenable({ dataTransfer }: DragEvent): boolean {
   return dataTransfer?.types.some((type) => type === 'Files' || type === 'text/uri-list') ?? false;
 }

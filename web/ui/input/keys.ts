@@ -108,7 +108,8 @@ export class Keys {
   #view(event: KeyboardEvent): boolean {
     if (hasModifier(event)) return false;
     const { session, tool, chooseFile, help, closeMessage } = this.#o;
-    if (event.key.toLowerCase() in TOOL_KEYS) tool.value = TOOL_KEYS[event.key.toLowerCase()];
+    const chosen = TOOL_KEYS[event.key.toLowerCase()];
+    if (chosen) tool.value = chosen;
     else if (event.key.toLowerCase() === 'p') session.paused.value = !session.paused.value;
     else if (event.key.toLowerCase() === 'a') session.animator.toggle();
     else if (event.key.toLowerCase() === 't') session.turntable.value = !session.turntable.value;
@@ -197,7 +198,8 @@ export class Keys {
   #nudge(x: number, y: number): void {
     const { scene, shown, view } = this.#o.session;
     const { sources, selected } = scene.state;
-    const position = shown.value?.places.at(sources[selected])?.position;
+    const source = sources[selected];
+    const position = source && shown.value?.places.at(source)?.position;
     const pixel = position && view.project(position);
     const hit = pixel && view.pick(pixel[0] + x * NUDGE_PX, pixel[1] + y * NUDGE_PX);
     if (!hit) return;

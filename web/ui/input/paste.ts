@@ -1,7 +1,7 @@
 /** Files, addresses and lists of sources from the clipboard. */
 import { addressIn, namesMesh } from '../../files/address';
 import type { Opener } from '../../session/opener';
-import { givenItems } from './given';
+import { itemsOf } from './files';
 import { isTyping } from './typing';
 
 export function followPaste(opener: Opener): void {
@@ -10,7 +10,7 @@ export function followPaste(opener: Opener): void {
     if (!clipboardData || isTyping(event)) return;
     const text = clipboardData.getData('text/plain');
     const address = addressIn(text);
-    if (clipboardData.files.length > 0) void opener.files(givenItems(clipboardData.items));
+    if (clipboardData.files.length > 0) void opener.files(itemsOf(clipboardData.items));
     else if (address && namesMesh(address)) void opener.address(address);
     else if (text) void opener.pastedList(text);
     else return;

@@ -26,7 +26,7 @@ export function targetAt(session: Session, x: number, y: number, touch: boolean)
   return { kind: 'surface', point: hit.point, corner: corners[nearestOf(session, corners, x, y, grip)] ?? null };
 }
 
-/** The index of the place that is nearest to a pixel, of those that are seen within so many pixels; −1 for none. */
+/** The index of the place that is nearest to a pixel, of those that are seen within `grip` pixels; −1 for none. */
 function nearestOf({ shown, view }: Session, points: readonly MeshPoint[], x: number, y: number, grip: number): number {
   const places = shown.value?.places;
   if (!places) return -1;

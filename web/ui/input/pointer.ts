@@ -167,11 +167,11 @@ export class PointerInput {
   }
 
   #pinch(event: PointerEvent): void {
-    const fingers = [...this.#pointers.entries()].slice(0, 2);
-    if (fingers.length < 2) return;
+    const [one, other] = this.#pointers.entries();
+    if (!one || !other) return;
     const moved = ([id, finger]: [number, Finger]) =>
       id === event.pointerId ? { x: event.clientX, y: event.clientY } : finger;
-    pinch(this.#o.session.view, [fingers[0][1], fingers[1][1]], [moved(fingers[0]), moved(fingers[1])]);
+    pinch(this.#o.session.view, [one[1], other[1]], [moved(one), moved(other)]);
     this.#o.cameraMoved();
   }
 

@@ -4,6 +4,7 @@ import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
 import { canClose, close, extended } from '../../state/tapes';
 import type { Tool } from '../../state/tool';
+import { entry } from '../../state/entry';
 
 const DOUBLE_MS = 300;
 const DOUBLE_PX = 8;
@@ -58,7 +59,7 @@ export class MeasureInput {
   /** A click on a place of a tape: its first one closes the tape that is being laid, and so does a double click on its last. */
   clickPlace(tape: number, place: number, time: number): void {
     if (tape !== this.#open) return;
-    const { points } = this.#session.scene.state.tapes[tape];
+    const { points } = entry(this.#session.scene.state.tapes, tape);
     const isDouble = place === points.length - 1 && this.#last !== null && time - this.#last.time < DOUBLE_MS;
     if (place === 0 ? points.length > 1 : isDouble) this.#close();
   }

@@ -1,6 +1,7 @@
 /** Tapes on the stage: their curves, places that can be dragged, and lengths that follow the camera and stay in pictures. */
 import type { Session } from '../../session/session';
 import { lengthOf, type MeasuredTape, stateOf, type Tapes } from '../../session/tapes';
+import { entry } from '../../state/entry';
 import type { Places } from '../../state/places';
 import { type Vector, distance } from '../../state/vector';
 import { type LengthUnit, unitOf } from '../../state/scene';
@@ -11,7 +12,7 @@ import { printLabel } from '../print';
 import type { MeasureInput } from './input';
 import { middleOf, polylineOf, positionsOf } from './curves';
 import { areaLabel, lengthWords } from './words';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 import type { PlaneContext } from '../../view/view';
 
 /** The curve, bright on a dark rim, so that it is seen on every color; widths in CSS pixels. */
@@ -91,7 +92,7 @@ export class TapeLabels {
       this.#hasLines = ends.length > 0;
     }
     this.#placeAll(measured, places);
-    this.#labels = measured.flatMap((each, index) => labelsOf(each, curves[index], unit, places));
+    this.#labels = measured.flatMap((each, index) => labelsOf(each, entry(curves, index), unit, places));
     this.#labelLayer.replaceChildren(...this.#labels.map(({ element }) => element));
     this.follow();
   }
@@ -100,11 +101,12 @@ export class TapeLabels {
   #placeAll(measured: readonly MeasuredTape[], places: Places): void {
     const isSame =
       measured.length === this.#places.length &&
-      measured.every(({ tape }, index) => tape.points.length === this.#places[index].length);
+      measured.every(({ tape }, index) => tape.points.length === this.#places[index]?.length);
     this.#places = measured.map(({ tape }, index) =>
       tape.points.map((point, place) => {
         const position = places.at(point)?.position ?? [0, 0, 0];
-        return { element: isSame ? this.#places[index][place].element : this.#place(index, place), position };
+        const former = isSame ? this.#places[index]?.[place]?.element : undefined;
+        return { element: former ?? this.#place(index, place), position };
       }),
     );
     if (!isSame) this.#placeLayer.replaceChildren(...this.#places.flat().map(({ element }) => element));
@@ -148,7 +150,8 @@ export class TapeLabels {
       view.stage.focus({ preventScroll: true });
       return;
     }
-    const pixel = view.project(this.#places[tape][place].position);
+    const position = this.#places[tape]?.[place]?.position;
+    const pixel = position && view.project(position);
     if (!pixel) return;
     this.#move(tape, place, pixel[0] + arrow[0] * NUDGE_PX, pixel[1] + arrow[1] * NUDGE_PX, this.#keys());
   }
@@ -196,23 +199,25 @@ function curvesOf({ legs }: MeasuredTape, places: Places): Vector[][] {
 }
 
 function segmentsOf(curve: readonly Vector[]): number[] {
-  return curve.slice(1).flatMap((point, index) => curve[index].concat(point));
+  return curve.slice(1).flatMap((point, index) => entry(curve, index).concat(point));
 }
 
 /** The length of each leg in its middle; the sum, and the area, at the last place. */
 function labelsOf(measured: MeasuredTape, curves: readonly Vector[][], unit: LengthUnit, places: Places): Anchored[] {
   const { tape, legs } = measured;
   const labels = legs.flatMap(({ leg, state }, index) => {
-    const position = middleOf(curves[index].length > 1 ? curves[index] : positionsOf(legsOf(tape)[index], places));
+    const curve = entry(curves, index);
+    const position = middleOf(curve.length > 1 ? curve : positionsOf(entry(legsOf(tape), index), places));
     return position ? [label(lengthWords(leg?.length ?? NaN, state, unit), position, 'leg')] : [];
   });
-  const last = places.at(tape.points[tape.closed ? 0 : tape.points.length - 1]);
+  const end = tape.points.at(tape.closed ? 0 : -1);
+  const last = end && places.at(end);
   if (legs.length < 2 || !last) return labels;
   const sum = lengthWords(lengthOf(measured), stateOf(measured), unit);
   const within = areaLabel(measured, unit);
-  return [...labels, label(within ? `Σ ${sum} · ${within}` : `Σ ${sum}`, last.position, 'sum')];
+  return [...labels, label(within ? t`Σ ${sum} · ${within}` : t`Σ ${sum}`, last.position, 'sum')];
 }
 
-function label(text: string, position: Vector, kind: 'leg' | 'sum'): Anchored {
+function label(text: Words, position: Vector, kind: 'leg' | 'sum'): Anchored {
   return { element: h('div', { class: `tape-label ${kind}` }, h('span', {}, text)), position };
 }

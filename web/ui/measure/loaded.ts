@@ -1,7 +1,7 @@
 /** What measures and shows tapes: loaded with the first of them. */
 import '../../style/tapes.css';
 import type { Session } from '../../session/session';
-import { told, Tapes, type ToldTape } from '../../session/tapes';
+import { figuresOf, Tapes, type TapeFigures } from '../../session/tapes';
 import type { MeasureInput } from './input';
 import { TapeLabels } from './labels';
 import { tapesTable } from './section';
@@ -10,7 +10,7 @@ export interface Measuring {
   tapes: Tapes;
   labels: TapeLabels;
   table: HTMLElement;
-  told: () => ToldTape[];
+  figures: () => TapeFigures[];
 }
 
 export function measuring(session: Session, input: MeasureInput): Measuring {
@@ -19,6 +19,6 @@ export function measuring(session: Session, input: MeasureInput): Measuring {
     tapes,
     labels: new TapeLabels(session, tapes, input),
     table: tapesTable(session, tapes),
-    told: () => tapes.measured.value.map(told),
+    figures: () => tapes.measured.value.map(figuresOf),
   };
 }

@@ -5,10 +5,10 @@ import { type LengthUnit, type UnitChoice, unitOf, UNITS } from '../../state/sce
 import { SCALES } from '../../state/tapes';
 import { save } from '../../view/picture';
 import { copy } from '../clipboard';
-import { h, select } from '../dom';
-import { fileNameOf } from '../words';
+import { h, say, select } from '../dom';
+import { fileNameOf, withUnit } from '../words';
 import { csvOf, enclosureWords, lengthNumber, lengthWords, ratioWords, STATE_WORDS } from './words';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
   const { scene, shown } = session;
@@ -18,7 +18,7 @@ export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
   const unitNow = () => unitOf(scene.state, shown.value?.opened ?? { unit: '', unitAssumed: false });
   const copyAll = async () => {
     const isCopied = await copy(csv());
-    said.textContent = isCopied ? t('Copied.') : t('The clipboard is not available. Save the file instead.');
+    say(said, isCopied ? t('Copied.') : t('The clipboard is not available. Save the file instead.'));
   };
   const saveFile = () => save(new Blob([csv()], { type: 'text/csv' }), `${fileNameOf(shown.value)} tapes.csv`);
   const buttons = h(
@@ -39,9 +39,9 @@ export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
       cards = measured.map((_, index) => card(session, index));
       list.replaceChildren(...cards.map(({ element }) => element));
     }
-    cards.forEach(({ show: fill }, index) => fill(measured[index], unitNow()));
+    measured.forEach((each, index) => cards[index]?.show(each, unitNow()));
     list.hidden = buttons.hidden = measured.length === 0;
-    said.textContent = '';
+    say(said, '');
   };
   tapes.measured.watch(show);
   scene.subscribe((state, previous) => {
@@ -81,9 +81,9 @@ function card(session: Session, index: number): Card {
     show: (measured, unit) => {
       const { legs } = measured;
       const sum = lengthOf(measured);
-      total.textContent = legs.length > 0 ? lengthWords(sum, stateOf(measured), unit) : t('one place so far');
+      say(total, legs.length > 0 ? lengthWords(sum, stateOf(measured), unit) : t('one place so far'));
       table.hidden = legs.length === 0;
-      const inUnit = (name: string) => (unit.symbol ? `${name} (${unit.symbol})` : name);
+      const inUnit = (name: Words) => withUnit(name, unit.symbol);
       const isInside = legs.some(({ leg }) => leg && 'points' in leg);
       const names = [t('Leg'), inUnit(isInside ? t('Path') : t('Surface')), inUnit(t('Straight')), t('Ratio')];
       titles.replaceChildren(...names.map((name) => h('th', { scope: 'col' }, name)));
@@ -92,7 +92,7 @@ function card(session: Session, index: number): Card {
       );
       if (legs.length > 1) rows.push(row('Σ', sum, straightOf(measured), stateOf(measured), unit));
       body.replaceChildren(...rows);
-      note.textContent = enclosureWords(measured, unit);
+      say(note, enclosureWords(measured, unit));
       note.hidden = !note.textContent;
       known.show(sum, unit);
     },
@@ -106,22 +106,17 @@ function row(
   state: keyof typeof STATE_WORDS,
   unit: LengthUnit,
 ): HTMLElement {
-  const cells = [
-    lengthNumber(surface, state, unit),
-    lengthNumber(straight, 'exact', unit),
-    ratioWords(straight, surface),
-  ];
-  const [first, ...others] = cells;
   return h(
     'tr',
     {},
     h('th', { scope: 'row' }, name),
-    h('td', {}, first, h('span', { class: 'quiet' }, STATE_WORDS[state])),
-    ...others.map((text) => h('td', {}, text)),
+    h('td', {}, lengthNumber(surface, state, unit), h('span', { class: 'quiet' }, STATE_WORDS[state])),
+    h('td', {}, lengthNumber(straight, 'exact', unit)),
+    h('td', {}, ratioWords(straight, surface)),
   );
 }
 
-/** A field for the true length of a tape: all lengths are told in that scale from then on. */
+/** A field for the true length of a tape, which sets the scale of all lengths. */
 function knownLength(
   session: Session,
   index: number,
@@ -132,7 +127,7 @@ function knownLength(
   const field = h('input', { type: 'number', min: 0, step: 'any', 'aria-label': t`Known length of tape ${index + 1}` });
   const unit = select(
     t('Unit of the known length'),
-    UNITS.map((name) => [name, name === 'none' ? 'units' : name] as const),
+    UNITS.map((name) => [name, name === 'none' ? t('units') : name] as const),
     (value) => (chosen = value),
   );
   const set = h(

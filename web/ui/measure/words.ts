@@ -1,12 +1,13 @@
 /** Tapes in words, and as a table for spreadsheets. */
 import type { MeshPoint } from '../../protocol';
 import { type LegState, lengthOf, type MeasuredTape, stateOf, straightOf } from '../../session/tapes';
+import { entry } from '../../state/entry';
 import type { LengthUnit } from '../../state/scene';
 import { legsOf } from '../../state/tapes';
-import { area, fixed, length } from '../words';
-import { t } from '../../texts';
+import { area, length, thousandths } from '../words';
+import { t, type Words } from '../../texts';
 
-export const STATE_WORDS: Record<LegState, string> = {
+export const STATE_WORDS: Record<LegState, Words> = {
   measuring: t('measuring…'),
   estimated: t('approximate so far'),
   exact: t('exact'),
@@ -19,31 +20,33 @@ export const STATE_WORDS: Record<LegState, string> = {
 const DIGITS = 9;
 
 /** A length, with a sign where it is not exact. Without the unit, which a table has in its head. */
-export function lengthNumber(value: number, state: LegState, { scale }: LengthUnit): string {
+export function lengthNumber(value: number, state: LegState, { scale }: LengthUnit): Words {
   if (!Number.isFinite(value)) return state === 'none' ? '–' : '…';
   const isApproximate = state === 'estimated' || state === 'approximate' || state === 'cost';
-  return `${isApproximate ? '≈ ' : ''}${length(value * scale)}`;
+  return isApproximate ? t`≈ ${length(value * scale)}` : length(value * scale);
 }
 
 /** The same with the unit, where there is one. */
-export function lengthWords(value: number, state: LegState, unit: LengthUnit): string {
+export function lengthWords(value: number, state: LegState, unit: LengthUnit): Words {
   if (!Number.isFinite(value)) return state === 'none' ? t('not connected') : '…';
-  return `${lengthNumber(value, state, unit)} ${unit.symbol}`.trim();
+  const number = lengthNumber(value, state, unit);
+  return unit.symbol ? t`${number} ${unit.symbol}` : number;
 }
 
-/** The area within a closed tape on its label; empty where there is none. */
-export function areaLabel({ enclosure }: MeasuredTape, { symbol, scale }: LengthUnit): string {
-  if (enclosure?.kind !== 'sides') return '';
-  return t`area ${length(enclosure.area * scale ** 2)} ${symbol && `${symbol}²`}`.trim();
+/** The area within a closed tape on its label; null where there is none. */
+export function areaLabel({ enclosure }: MeasuredTape, { symbol, scale }: LengthUnit): Words | null {
+  if (enclosure?.kind !== 'sides') return null;
+  const number = length(enclosure.area * scale ** 2);
+  return symbol ? t`area ${number} ${symbol}²` : t`area ${number}`;
 }
 
 /** Straight length as a share of that on the surface. */
-export function ratioWords(straight: number, surface: number): string {
-  return surface > 0 ? fixed(straight / surface, 3) : '–';
+export function ratioWords(straight: number, surface: number): Words {
+  return surface > 0 ? thousandths(straight / surface) : '–';
 }
 
 /** The area within a closed tape, or why there is none; null for an open one, and while it is not known. */
-export function enclosureWords({ tape, legs, enclosure }: MeasuredTape, unit: LengthUnit): string | null {
+export function enclosureWords({ tape, legs, enclosure }: MeasuredTape, unit: LengthUnit): Words | null {
   if (!tape.closed) return null;
   if (legs.some(({ leg }) => leg && !('triangles' in leg))) {
     return t('This tape leads through the inside, where no one surface spans it, so it encloses no area.');
@@ -61,13 +64,13 @@ export function enclosureWords({ tape, legs, enclosure }: MeasuredTape, unit: Le
   }
 }
 
-export function placeName(point: MeshPoint): string {
+export function placeName(point: MeshPoint): Words {
   if ('vertex' in point) return t`vertex ${point.vertex}`;
   const weights = point.weights.map((weight) => Number(weight.toFixed(4))).join(' ');
   return 'face' in point ? t`triangle ${point.face}: ${weights}` : t`tetrahedron ${point.tetrahedron}: ${weights}`;
 }
 
-/** A line a leg, then one with the sums and the area of each tape. Lengths in the unit that they are told in. */
+/** A line a leg, then one with the sums and the area of each tape. Lengths in the unit of the page. */
 export function csvOf(tapes: readonly MeasuredTape[], { symbol, scale }: LengthUnit): string {
   const number = (value: number, power = 1) =>
     Number.isFinite(value) ? String(Number((value * scale ** power).toPrecision(DIGITS))) : '';
@@ -77,9 +80,9 @@ export function csvOf(tapes: readonly MeasuredTape[], { symbol, scale }: LengthU
     const ends = legsOf(measured.tape);
     const legs = measured.legs.map(({ leg, state, straight }, k) => {
       const surface = leg?.length ?? NaN;
-      const names = ends[k].map(placeName);
-      const told = [number(surface), number(straight), ratio(straight, surface), number(leg?.cost ?? NaN), ''];
-      return [index + 1, k + 1, ...names, ...told, STATE_WORDS[state], symbol];
+      const names = entry(ends, k).map(placeName);
+      const figures = [number(surface), number(straight), ratio(straight, surface), number(leg?.cost ?? NaN), ''];
+      return [index + 1, k + 1, ...names, ...figures, STATE_WORDS[state], symbol];
     });
     const [surface, straight] = [lengthOf(measured), straightOf(measured)];
     const enclosed = measured.enclosure?.kind === 'sides' ? number(measured.enclosure.area, 2) : '';
@@ -90,7 +93,7 @@ export function csvOf(tapes: readonly MeasuredTape[], { symbol, scale }: LengthU
 }
 
 /** As RFC 4180 wants it. */
-function quoted(cell: string | number): string {
+function quoted(cell: Words | number): string {
   const text = String(cell);
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }

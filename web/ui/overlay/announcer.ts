@@ -1,9 +1,9 @@
 /** Tells screen readers what is shown once it has come to rest: how exact distances are, how far they reach, how long the path is. */
 import type { Session } from '../../session/session';
 import { unitOf } from '../../state/scene';
-import { h } from '../dom';
+import { h, say } from '../dom';
 import { measure, refiningSentence } from '../words';
-import { t } from '../../texts';
+import { sentences, t, type Words } from '../../texts';
 
 /** A drag or a key that repeats comes back within. */
 const REST_MS = 700;
@@ -14,7 +14,7 @@ export function announcer(session: Session): HTMLElement {
   const tell = () => {
     if (!session.settled || session.dragging) return;
     const sentence = announcement(session);
-    if (element.textContent !== sentence) element.textContent = sentence;
+    say(element, sentence);
   };
   const wait = () => {
     clearTimeout(timer);
@@ -25,14 +25,13 @@ export function announcer(session: Session): HTMLElement {
   return element;
 }
 
-function announcement({ scene, shown, refiner }: Session): string {
+function announcement({ scene, shown, refiner }: Session): Words {
   const { opened, answer } = shown.value ?? {};
   if (!opened || !answer?.field) return '';
   const unit = unitOf(scene.state, opened);
-  const told = [
+  return sentences(
     refiningSentence(refiner.phase.value, answer.field, scene.state),
     t`Maximum distance ${measure(answer.field.maxDistance, unit)}.`,
-  ];
-  if (answer.path) told.push(t`Path ${measure(answer.path.length, unit)}.`);
-  return told.join(' ');
+    answer.path ? t`Path ${measure(answer.path.length, unit)}.` : null,
+  );
 }

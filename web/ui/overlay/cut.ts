@@ -3,7 +3,7 @@ import type { Session } from '../../session/session';
 import { lookInto } from '../../state/edit';
 import { directionOf, INSIDE_RANGES, middleOf, reachOf } from '../../state/inside';
 import { moved } from '../../state/vector';
-import { h, icon } from '../dom';
+import { attribute, h, icon } from '../dom';
 import { arrowOf, draggable, hasModifier, keyGesture } from '../gesture';
 import { percent } from '../words';
 import { t } from '../../texts';
@@ -56,7 +56,7 @@ export class CutHandle {
     const angle = Math.atan2(ahead[1] - middle[1], ahead[0] - middle[0]);
     this.element.style.transform = `translate(${Math.round(middle[0])}px, ${Math.round(middle[1])}px) rotate(${angle.toFixed(3)}rad)`;
     this.element.setAttribute('aria-valuenow', inside.place.toFixed(2));
-    this.element.setAttribute('aria-valuetext', inside.place === 0 ? t('middle') : percent(inside.place));
+    attribute(this.element, 'aria-valuetext', inside.place === 0 ? t('middle') : percent(inside.place));
   }
 
   /** Where the middle of the cut is drawn, and where it would be at the end of its way; null where there is none. */

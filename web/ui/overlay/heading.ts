@@ -1,6 +1,6 @@
 import type { Session } from '../../session/session';
 import { titleOf } from '../../state/presets';
-import { h } from '../dom';
+import { h, say } from '../dom';
 import { exactnessWords, sizeWords } from '../words';
 import { t } from '../../texts';
 
@@ -14,9 +14,9 @@ export function heading(session: Session, help: () => void): HTMLElement {
     const shown = session.shown.value;
     const opened = (preview ?? shown)?.opened;
     const field = preview ? null : shown?.answer.field;
-    title.textContent = preview?.title ?? titleOf(session.scene.state.mesh);
-    size.textContent = opened ? sizeWords(opened) : '';
-    exactness.textContent = field ? exactnessWords(field) : '';
+    say(title, preview?.title ?? titleOf(session.scene.state.mesh));
+    say(size, opened ? sizeWords(opened) : '');
+    say(exactness, field ? exactnessWords(field) : '');
   };
   session.shown.watch(tell);
   session.preview.watch(tell);

@@ -1,15 +1,15 @@
 /** What to do first: one hint after the other, each until the hand has done it. Who knows all of them sees none again. */
 import type { Session } from '../../session/session';
 import type { SceneState } from '../../state/scene';
-import { h } from '../dom';
+import { h, say } from '../dom';
 import { remember, remembered } from '../memory';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 const MEMORY = 'heatwalk.hints';
 
 interface Hint {
-  mouse: string;
-  touch: string;
+  mouse: Words;
+  touch: Words;
   /** Whether the hand has just done it. */
   isDone: (state: SceneState, previous: SceneState, dragging: boolean) => boolean;
 }
@@ -46,7 +46,7 @@ export function hints(session: Session): { element: HTMLElement; begin: () => vo
   const show = () => {
     const hint = HINTS[known];
     element.hidden = hint === undefined;
-    if (hint) text.textContent = byTouch ? hint.touch : hint.mouse;
+    if (hint) say(text, byTouch ? hint.touch : hint.mouse);
   };
   const turn = (next: number) => {
     known = next;

@@ -1,10 +1,10 @@
 import type { Session } from '../../session/session';
-import { h } from '../dom';
-import { bytes, counted, percent } from '../words';
-import { t } from '../../texts';
+import { h, say } from '../dom';
+import { bytes, percent, verticesWords } from '../words';
+import { listed, t, type Words } from '../../texts';
 
 /** What is going on, by the names that workers tell. */
-const STAGES: Readonly<Record<string, string>> = {
+const STAGES: Readonly<Record<string, Words>> = {
   Fetching: t('fetching'),
   Reading: t('reading'),
   Simplifying: t('simplifying'),
@@ -32,17 +32,19 @@ export function loadingBar(session: Session): HTMLElement {
   session.loading.watch((loading) => {
     element.hidden = loading === null;
     if (!loading) {
-      stage.textContent = '';
+      say(stage, '');
       return;
     }
     const { title, fraction, vertices, bytes: fetched } = loading;
     if (fraction === null) bar.removeAttribute('value');
     else bar.value = fraction;
-    const words = [STAGES[loading.stage] ?? loading.stage.toLowerCase()];
-    if (vertices > 0) words.push(counted(vertices, 'vertex', 'vertices'));
-    if (fetched !== undefined) words.push(bytes(fetched));
-    if (fraction !== null) words.push(percent(fraction));
-    stage.textContent = t`${title}: ${words.join(', ')}`;
+    const reached = listed(
+      STAGES[loading.stage] ?? loading.stage.toLowerCase(),
+      vertices > 0 ? verticesWords(vertices) : null,
+      fetched === undefined ? null : bytes(fetched),
+      fraction === null ? null : percent(fraction),
+    );
+    say(stage, t`${title}: ${reached}`);
   });
   return element;
 }

@@ -2,22 +2,22 @@
 import { hostOf, nameOf } from '../../files/address';
 import { MOST_FETCHED } from '../../files/fetch';
 import { fileName } from '../../files/paths';
-import type { Action, Voice } from '../../session/opener';
+import type { Action, Notifier } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
 import type { LengthUnit } from '../../state/scene';
 import { copy } from '../clipboard';
 import { h } from '../dom';
 import { absentSentence, openingSentence } from '../words';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 const SHOWN_MS = 8000;
 
-export class Messages implements Voice {
+export class Messages implements Notifier {
   readonly element = h('div', { class: 'messages' });
   readonly #polite = h('div', { role: 'status', 'aria-live': 'polite' });
   readonly #urgent = h('div', { role: 'alert' });
   readonly #chooseFile: () => void;
-  #told: HTMLElement | null = null;
+  #summary: HTMLElement | null = null;
   #absent: HTMLElement | null = null;
   #failed: HTMLElement | null = null;
   #asked: HTMLElement | null = null;
@@ -29,17 +29,17 @@ export class Messages implements Voice {
     this.element.append(this.#urgent, this.#polite);
   }
 
-  /** Tells what was done; replaces what was told of the mesh before, and the last error. */
+  /** Says what was done; replaces the message about the mesh before, and the last error. */
   opened({ opened, answer }: Shown, unit: LengthUnit): void {
-    for (const former of [this.#told, this.#absent, this.#failed, this.#chosen]) former?.remove();
-    this.#told = this.#say(this.#polite, 'told', openingSentence(opened, answer.factoring, unit), []);
-    this.#fade(this.#told);
+    for (const former of [this.#summary, this.#absent, this.#failed, this.#chosen]) former?.remove();
+    this.#summary = this.#say(this.#polite, 'summary', openingSentence(opened, answer.factoring, unit), []);
+    this.#fade(this.#summary);
     const absent = absentSentence(opened);
     this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
   }
 
-  notice(text: string): void {
-    const former = [...this.#polite.children].find((one) => one.querySelector('p')?.textContent === text);
+  notice(text: Words): void {
+    const former = [...this.#polite.children].find((one) => one.querySelector('p')?.textContent === String(text));
     former?.remove();
     this.#say(this.#polite, 'notice', text, []);
   }
@@ -52,13 +52,13 @@ export class Messages implements Voice {
     this.#chosen.append(h('div', { class: 'actions' }, select));
   }
 
-  fail(text: string, details: string, remedy?: Action): void {
+  fail(text: Words, details: string, remedy?: Action): void {
     this.#failed?.remove();
     this.#failed = this.#error(text, details, remedy);
   }
 
   /** Why nothing can be drawn; stays until drawing works again, which null says. */
-  blind(reason: string | null, tryAgain: () => void): void {
+  blind(reason: Words | null, tryAgain: () => void): void {
     this.#blind?.remove();
     this.#blind = reason
       ? this.#error(
@@ -99,13 +99,13 @@ export class Messages implements Voice {
     return newest !== undefined;
   }
 
-  #error(text: string, details: string, remedy: Action | undefined): HTMLElement {
+  #error(text: Words, details: string, remedy: Action | undefined): HTMLElement {
     const copying: Action = { name: t('Copy details'), run: () => void copyDetails(message, `${text}\n${details}`) };
     const message = this.#say(this.#urgent, 'error', text, remedy ? [remedy, copying] : [copying]);
     return message;
   }
 
-  #say(place: HTMLElement, kind: string, text: string, actions: readonly Action[]): HTMLElement {
+  #say(place: HTMLElement, kind: string, text: Words, actions: readonly Action[]): HTMLElement {
     const message = h('div', { class: `message ${kind}` }, h('p', {}, text));
     if (actions.length > 0) {
       const buttons = actions.map(({ name, run }) => h('button', { class: 'link', onclick: run }, name));

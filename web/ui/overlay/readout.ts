@@ -2,9 +2,9 @@ import type { MeshPoint } from '../../protocol';
 import { exactDistanceAt } from '../../session/distances';
 import type { Session } from '../../session/session';
 import { unitOf } from '../../state/scene';
-import { h } from '../dom';
+import { h, say } from '../dom';
 import { measure, percent } from '../words';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 /** What is read, and where on the screen. */
 interface Reading {
@@ -62,9 +62,9 @@ export class Readout {
     }
   }
 
-  #draw({ x, y }: Reading, text: string): void {
+  #draw({ x, y }: Reading, text: Words): void {
     this.element.hidden = false;
-    this.element.textContent = text;
+    say(this.element, text);
     const { offsetWidth, offsetHeight } = this.element;
     const { centre, free } = this.#session.view;
     // Panels lie over it.
@@ -75,13 +75,14 @@ export class Readout {
 }
 
 /** `exact`: the distance; null where it is taken from those of vertices. */
-function readoutText({ scene, shown }: Session, point: MeshPoint, exact: number | null): string | null {
+function readoutText({ scene, shown }: Session, point: MeshPoint, exact: number | null): Words | null {
   if (!shown.value) return null;
   const { opened, places, answer } = shown.value;
   const vertex = t`vertex ${places.nearestVertex(point)}`;
   if (!answer.field) return vertex;
   const distance = exact ?? places.valueAt(point, answer.field);
   if (!Number.isFinite(distance)) return t`unreachable · ${vertex}`;
-  const about = exact === null && places.isBetween(point) ? '≈ ' : '';
-  return t`${about + measure(distance, unitOf(scene.state, opened))} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
+  const length = measure(distance, unitOf(scene.state, opened));
+  const about = exact === null && places.isBetween(point) ? t`≈ ${length}` : length;
+  return t`${about} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }

@@ -1,10 +1,10 @@
 import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
-import { h, icon } from '../dom';
-import { t } from '../../texts';
+import { attribute, h, icon } from '../dom';
+import { t, type Words } from '../../texts';
 
-const TOOLS: readonly { tool: Tool; name: string; tip: string; path: string }[] = [
+const TOOLS: readonly { tool: Tool; name: Words; tip: Words; path: string }[] = [
   {
     tool: 'source',
     name: t('Source'),
@@ -62,8 +62,8 @@ export function toolbar(session: Session, tool: Signal<Tool>): HTMLElement {
   });
   paused.watch((value) => {
     const name = value ? t('Resume') : t('Pause');
-    pause.title = `${name} (P)`;
-    pause.setAttribute('aria-label', name);
+    attribute(pause, 'title', t`${name} (P)`);
+    attribute(pause, 'aria-label', name);
     pause.replaceChildren(icon(value ? PLAY : PAUSE));
   });
   const frame = plain(t('Frame'), t('Frame the model (F)'), FRAME, () => view.frame());
@@ -89,6 +89,6 @@ function rule(): HTMLElement {
   return h('hr', { 'aria-orientation': 'vertical' });
 }
 
-function plain(name: string, tip: string, path: string, run: () => void): HTMLButtonElement {
+function plain(name: Words, tip: Words, path: string, run: () => void): HTMLButtonElement {
   return h('button', { class: 'tool', 'aria-label': name, title: tip, onclick: run }, icon(path));
 }

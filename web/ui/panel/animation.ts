@@ -1,9 +1,9 @@
 import type { Clip } from '../../protocol';
 import type { Session } from '../../session/session';
 import { type Animation, SPEEDS } from '../../state/scene';
-import { h, select, slider, toggle } from '../dom';
-import { t } from '../../texts';
-import { fixed } from '../words';
+import { attribute, h, say, select, slider, toggle } from '../dom';
+import { listed, some, t, type Words } from '../../texts';
+import { hundredths, tenths } from '../words';
 
 const STEP_SECONDS = 0.01;
 
@@ -29,7 +29,7 @@ export function animationSection(session: Session): HTMLElement {
     min: 0,
     max: 1,
     step: STEP_SECONDS,
-    describe: (seconds) => `${fixed(seconds, 2)} s`,
+    describe: (seconds) => t`${hundredths(seconds)} s`,
     change: (seconds) => change({ seconds, plays: false }),
   });
   time.element.classList.add('automatic');
@@ -39,7 +39,7 @@ export function animationSection(session: Session): HTMLElement {
     min: SPEEDS[0],
     max: SPEEDS[1],
     step: 0.1,
-    describe: (value) => `${fixed(value, 1)} ×`,
+    describe: (value) => t`${tenths(value)} ×`,
     change: (value) => change({ speed: value }),
   });
   const loop = toggle(t('Loop'), (loops) => change({ loops }));
@@ -71,9 +71,8 @@ export function animationSection(session: Session): HTMLElement {
   };
   const show = ({ clip, plays, speed: times, loops, live }: Animation) => {
     clips.selectedIndex = (clip ?? -1) + 1;
-    const name = plays ? t('Stop') : t('Play');
-    play.textContent = name;
-    play.setAttribute('aria-label', t`${name} the animation`);
+    say(play, plays ? t('Stop') : t('Play'));
+    attribute(play, 'aria-label', plays ? t('Stop the animation') : t('Play the animation'));
     play.disabled = clip === null;
     const input = time.element.querySelector('input');
     if (input) {
@@ -98,7 +97,10 @@ export function animationSection(session: Session): HTMLElement {
 }
 
 /** Name and length; channels that change something else than the shape, or are damaged, move nothing. */
-function described({ name, seconds, leftOut }: Clip): string {
-  const length = `${name}, ${fixed(seconds, 2)} s`;
-  return leftOut > 0 ? `${length}, ${t`without ${leftOut} of its channels`}` : length;
+function described({ name, seconds, leftOut }: Clip): Words {
+  return listed(
+    name,
+    t`${hundredths(seconds)} s`,
+    some(leftOut, 'without {0} of its channels', 'without {0} of its channels'),
+  );
 }

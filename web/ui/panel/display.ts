@@ -1,11 +1,11 @@
 import type { Session } from '../../session/session';
 import { LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from '../../state/scene';
 import { AUTOMATIC, UP, type Up, VERTEX_FIELD, type VertexField } from '../../wasm/contract';
-import { h, labelled, select, slider, toggle } from '../dom';
-import { count, finePercent } from '../words';
-import { t } from '../../texts';
+import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
+import { finePercent } from '../words';
+import { count, t, type Words } from '../../texts';
 
-const OVERLAY_WORDS: Record<Overlay, string> = {
+const OVERLAY_WORDS: Record<Overlay, Words> = {
   scenery: t('Inactive parts (scenery)'),
   edges: t('Mesh edges'),
   boundary: t('Boundary edges'),
@@ -18,7 +18,7 @@ const OVERLAY_WORDS: Record<Overlay, string> = {
 /** Both are drawn as arrows: one replaces the other. */
 const ARROWS: readonly Overlay[] = ['heat', 'distance'];
 
-const COLOR_BY_WORDS: Record<VertexField, string> = {
+const COLOR_BY_WORDS: Record<VertexField, Words> = {
   distance: t('distance'),
   heat: t('heat, log scale'),
   error: t('error before refinement'),
@@ -40,7 +40,7 @@ export function displaySection(session: Session): HTMLElement {
     [[AUTOMATIC, t('automatic')], ...labelled(UP.names, UP_WORDS)],
     (value) => scene.edit({ up: value }),
   );
-  up.element.title = t('The axis of the file that points up (U: the next one)');
+  attribute(up.element, 'title', t('The axis of the file that points up (U: the next one)'));
   const cameras = camerasControl(session);
   const lights = toggle(t('Lights of the file'), (on) => scene.edit({ lights: on ? 'file' : 'style' }));
   const legend = h('p', { class: 'quiet', role: 'status' });
@@ -62,7 +62,7 @@ export function displaySection(session: Session): HTMLElement {
     change: (value, gesture) => scene.edit({ crowd: walkersAt(value) }, gesture),
   });
   const showLegend = () => {
-    legend.textContent = legendOf(session, scene.state);
+    say(legend, legendOf(session, scene.state));
     legend.hidden = legend.textContent === '';
   };
   const show = () => {
@@ -86,7 +86,7 @@ export function displaySection(session: Session): HTMLElement {
   session.shown.watch((shown) => {
     show();
     const automatic = up.element.querySelector('option');
-    if (shown && automatic) automatic.textContent = t`automatic (${UP_WORDS[shown.opened.upright]})`;
+    if (shown && automatic) say(automatic, t`automatic (${UP_WORDS[shown.opened.upright]})`);
   });
   show();
   return h(
@@ -128,7 +128,7 @@ function walkersAt(step: number): number {
   return Math.round(LARGEST_CROWD * (step / CROWD_STEPS) ** 2);
 }
 
-function legendOf(session: Session, { colorBy, method }: SceneState): string {
+function legendOf(session: Session, { colorBy, method }: SceneState): Words {
   const error = session.shown.value?.answer.field?.error;
   if (method !== 'heat' && OF_HEAT.colorBy.includes(colorBy))
     return t('Only the heat method has heat; distance is shown.');

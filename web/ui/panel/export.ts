@@ -1,4 +1,4 @@
-import { messageOf } from '../../error';
+import { Failure, messageOf } from '../../error';
 import type { CurveFile, DistanceFile, InnerDistanceFile, Isolines } from '../../protocol';
 import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../session/export';
 import { isolineWish } from '../../session/isolines';
@@ -10,11 +10,11 @@ import { rustLines } from '../../state/rust';
 import { unitOf } from '../../state/scene';
 import { save } from '../../view/picture';
 import { copy } from '../clipboard';
-import { h, select } from '../dom';
+import { h, say, select } from '../dom';
 import { fileNameOf, length, unitWords } from '../words';
-import { t } from '../../texts';
+import { counted, listed, t, type Words } from '../../texts';
 
-const CURVES: readonly (readonly [CurveFile['kind'], string])[] = [
+const CURVES: readonly (readonly [CurveFile['kind'], Words])[] = [
   ['obj', t('Curves, OBJ')],
   ['dxf', t('Curves, DXF')],
   ['svg', t('Curves as seen, SVG')],
@@ -24,14 +24,14 @@ const CURVES: readonly (readonly [CurveFile['kind'], string])[] = [
   ['unrolled.svg', t('Strips unrolled, SVG')],
   ['unrolled.dxf', t('Strips unrolled, DXF')],
 ];
-const DISTANCES: readonly (readonly [DistanceFile, string])[] = [
+const DISTANCES: readonly (readonly [DistanceFile, Words])[] = [
   ['csv', 'CSV'],
   ['npy', 'NumPy'],
   ['ply', t('PLY, double')],
   ['glb', t('GLB with materials')],
   ['weights.ply', t('PLY, vertex colors')],
 ];
-const INNER_DISTANCES: readonly (readonly [InnerDistanceFile, string])[] = [
+const INNER_DISTANCES: readonly (readonly [InnerDistanceFile, Words])[] = [
   ['csv', 'CSV'],
   ['vtu', t('VTU, tetrahedra')],
   ['msh', t('Gmsh, tetrahedra')],
@@ -52,15 +52,15 @@ const TEXT_OF = { command: commandLine, python: pythonLines, rust: rustLines };
 export function exportSection(session: Session): HTMLElement {
   const said = h('p', { class: 'quiet', role: 'status' });
   /** Disables a button while its work is under way, and tells why it failed. */
-  const action = (name: string, title: string, work: () => Promise<string | void> | string | void) => {
+  const action: Action = (name, title, work) => {
     const button = h('button', { class: 'wide', title }, name);
     button.addEventListener('click', () => {
       button.disabled = true;
-      said.textContent = '';
+      say(said, '');
       void Promise.resolve()
         .then(work)
-        .then((words) => (said.textContent = words ?? ''))
-        .catch((error: unknown) => (said.textContent = messageOf(error)))
+        .then((words) => say(said, words ?? null))
+        .catch((error: unknown) => say(said, messageOf(error)))
         .finally(() => (button.disabled = false));
     });
     return button;
@@ -77,19 +77,19 @@ export function exportSection(session: Session): HTMLElement {
   );
 }
 
-type Action = (name: string, title: string, work: () => Promise<string | void> | string | void) => HTMLElement;
+type Action = (name: Words, title: Words, work: () => Promise<Words | void> | Words | void) => HTMLElement;
 
 /** The engine where there is a field. */
 function asked(session: Session): Engine {
   if (!session.engine || !session.shown.value?.answer.field)
-    throw new Error(t('There are no distances yet. Click the surface to place a source.'));
+    throw new Failure(t('There are no distances yet. Click the surface to place a source.'));
   return session.engine;
 }
 
 /** The same where that is on a surface. */
 function measured(session: Session): Engine {
   if (session.shown.value?.opened.interior)
-    throw new Error(t('This is for surfaces, not for the inside of tetrahedra.'));
+    throw new Failure(t('This is for surfaces, not for the inside of tetrahedra.'));
   return asked(session);
 }
 
@@ -99,7 +99,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   /** What is typed in a row is one step of undo. */
   const typing = {};
   const wish = () => {
-    // What cannot be read is told by what was asked for.
+    // The typed text, not the scene, says what cannot be read.
     parseIsolines(at.value);
     return isolineWish(session);
   };
@@ -121,7 +121,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
     const isolines = await measured(session).isolines(wish());
     const { scene, shown } = session;
     const unit = shown.value ? unitOf(scene.state, shown.value.opened) : null;
-    table.replaceChildren(tableOf(isolines, unit?.symbol ? unitWords(unit) : ''));
+    table.replaceChildren(tableOf(isolines, unit?.symbol ? unitWords(unit) : null));
   };
   let kind: CurveFile['kind'] = 'obj';
   const file = select(t('File'), CURVES, (value) => (kind = value));
@@ -146,17 +146,16 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   ];
 }
 
-function cells(tag: 'th' | 'td', words: readonly string[]): HTMLElement {
+function cells(tag: 'th' | 'td', words: readonly Words[]): HTMLElement {
   return h('tr', {}, ...words.map((word) => h(tag, {}, word)));
 }
 
-function tableOf({ rows }: Isolines, unit: string): HTMLElement {
-  const { length: lengths } = rows;
-  const title = `${lengths} ${lengths === 1 ? 'isoline' : 'isolines'}${unit === '' ? '' : `, ${unit}`}`;
+function tableOf({ rows }: Isolines, unit: Words | null): HTMLElement {
+  const isolines = counted(rows.length, '{0} isoline', '{0} isolines');
   return h(
     'table',
     { class: 'rows' },
-    h('caption', { class: 'quiet' }, title),
+    h('caption', { class: 'quiet' }, listed(isolines, unit)),
     h('thead', {}, cells('th', [t('Distance'), t('Length'), t('Area nearer'), t('Closed')])),
     h(
       'tbody',
@@ -191,7 +190,7 @@ function pathControls(session: Session, action: Action): HTMLElement[] {
   const file = select(t('Path'), PATHS, (value) => (kind = value));
   const work = () => {
     const { opened, answer } = session.shown.value ?? {};
-    if (!opened || !answer?.path) throw new Error(t('There is no path. Alt + click the surface to place a walker.'));
+    if (!opened || !answer?.path) throw new Failure(t('There is no path. Alt + click the surface to place a walker.'));
     const points = pathPoints(answer.path, opened.drawTransform);
     save(new Blob([pathFile(kind, points)]), `${fileNameOf(session.shown.value)}.path.${kind}`);
   };
@@ -203,7 +202,7 @@ function trackControls(session: Session, action: Action): HTMLElement[] {
   const file = select(t('Tracks'), PATHS, (value) => (kind = value));
   const work = async () => {
     const tracks = trackPoints(await measured(session).crowdTracks());
-    if (tracks.length === 0) throw new Error(t('There is no crowd. Choose how many walk in the section Display.'));
+    if (tracks.length === 0) throw new Failure(t('There is no crowd. Choose how many walk in the section Display.'));
     save(new Blob([tracksFile(kind, tracks)]), `${fileNameOf(session.shown.value)}.tracks.${kind}`);
   };
   const title = t('The ways of the crowd to the sources, from where each walker is, in the unit of the file');
@@ -220,8 +219,7 @@ function reproduceControls(session: Session, action: Action): HTMLElement[] {
     'aria-label': t('Lines that reproduce the distances'),
   });
   const work = async () => {
-    const told = await measuredBy(session);
-    field.value = TEXT_OF[kind](told);
+    field.value = TEXT_OF[kind](await measuredBy(session));
     field.hidden = false;
     if (await copy(field.value)) return t('Copied.');
     field.select();
@@ -234,7 +232,7 @@ async function measuredBy(session: Session): Promise<Measured> {
   measured(session);
   const { shown, scene, request } = session;
   const { opened, answer } = shown.value ?? {};
-  if (!opened || !answer?.field || !request) throw new Error(t('There are no distances yet.'));
+  if (!opened || !answer?.field || !request) throw new Failure(t('There are no distances yet.'));
   const isPreset = scene.state.mesh.kind === 'preset';
   const input = isPreset ? await request.load() : null;
   const mesh = input?.kind === 'shape' ? `shape:${input.shape}` : opened.name;

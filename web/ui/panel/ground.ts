@@ -4,28 +4,28 @@ import { colourOfCost, WALL_COLOURS } from '../../session/tints';
 import { type GroundTool, type Material, MATERIAL_COSTS, MATERIALS, RADII, TOOLS } from '../../state/brush';
 import { codeOf, COSTS, costOf, isPainted, isWeighted } from '../../state/ground';
 import { isSameUnit, unitOf } from '../../state/scene';
-import { h, labelled, select, slider, toggle } from '../dom';
+import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
 import { length, measure, percent } from '../words';
-import { t } from '../../texts';
+import { sentences, t, type Words } from '../../texts';
 
 /** Of the button that paints them. */
 const COSTS_OF_FILE = t('Costs of the file');
 
-const TOOL_WORDS: Record<GroundTool, string> = {
+const TOOL_WORDS: Record<GroundTool, Words> = {
   brush: t('brush'),
   fill: t('fill an area'),
   line: t('wall along edges'),
   toggle: t('open and close gates'),
 };
 
-const TOOL_HINTS: Record<GroundTool, string> = {
+const TOOL_HINTS: Record<GroundTool, Words> = {
   brush: t('Drag on the surface to paint. Drag beside it, or with ctrl, to orbit.'),
   fill: t('Click an area: all of it that costs the same is painted.'),
   line: t('Click one vertex after the other; Esc, or a click on the last one, ends the wall.'),
   toggle: t('Click a wall or a gate to open it, or to close it again.'),
 };
 
-const MATERIAL_WORDS: Record<Material, string> = {
+const MATERIAL_WORDS: Record<Material, Words> = {
   mud: t('Mud'),
   sand: t('Sand'),
   road: t('Road'),
@@ -44,7 +44,7 @@ const HEIGHT_POWERS = 5;
 export function groundSection(session: Session, editor: GroundEditor): HTMLElement {
   const { scene } = session;
   const brush = toggle(t('Brush'), (on) => editor.set({ on }));
-  brush.element.title = t('The pointer paints the ground (B)');
+  attribute(brush.element, 'title', t('The pointer paints the ground (B)'));
   const tool = select<GroundTool>(t('Tool'), labelled(TOOLS, TOOL_WORDS), (value) =>
     editor.set({ on: true, tool: value }),
   );
@@ -80,7 +80,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     describe: (step) => t`${length(100 * radiusAt(step))} % of the diameter`,
     change: (step) => editor.set({ radius: radiusAt(step) }),
   });
-  size.element.title = t('[ and ] change it');
+  attribute(size.element, 'title', t('[ and ] change it'));
   const soft = slider({
     label: t('Soft edge'),
     min: 0,
@@ -101,7 +101,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
   );
   const ofFile = h('button', { class: 'small', hidden: true, onclick: () => editor.paintWeights() }, COSTS_OF_FILE);
   const slope = toggle(t('Slope'), (on) => editor.setRelief({ slope: on }));
-  slope.element.title = t('Tobler’s hiking function');
+  attribute(slope.element, 'title', t('Tobler’s hiking function'));
   const slopeHint = h(
     'p',
     { class: 'quiet' },
@@ -122,12 +122,12 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     brush.show(on);
     tool.show(chosen);
     const isLine = editor.lineEnd.value !== null;
-    hint.textContent = isLine ? t('Click the next vertex; Esc ends the wall.') : TOOL_HINTS[chosen];
+    say(hint, isLine ? t('Click the next vertex; Esc ends the wall.') : TOOL_HINTS[chosen]);
     hint.hidden = !on;
     for (const { material: other, swatch, button } of buttons) {
       button.setAttribute('aria-pressed', String(other === material));
       const title = titleOf(other, custom);
-      button.title = title;
+      attribute(button, 'title', title);
       swatch.style.background = swatchOf(other, custom);
     }
     materials.hidden = chosen === 'line' || chosen === 'toggle';
@@ -151,11 +151,11 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     const shown = session.shown.value;
     const path = shown?.answer.path;
     const walked =
-      path && shown
-        ? t`The path is ${measure(path.length, unitOf(scene.state, shown.opened))} long and costs ${length(path.cost)}. `
-        : '';
-    const exactness = isWeighted(ground) ? t('Where costs differ, no distances are exact.') : '';
-    legend.textContent = isWeighted(ground) || isPainted(ground) ? `${walked}${exactness}` : '';
+      path && shown && (isWeighted(ground) || isPainted(ground))
+        ? t`The path is ${measure(path.length, unitOf(scene.state, shown.opened))} long and costs ${length(path.cost)}.`
+        : null;
+    const exactness = isWeighted(ground) ? t('Where costs differ, no distances are exact.') : null;
+    say(legend, sentences(walked, exactness));
   };
   scene.subscribe((state, previous) => {
     if (state.ground !== previous.ground || !isSameUnit(state, previous)) showGround();
@@ -166,7 +166,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     if (shown?.opened !== previous?.opened) {
       const weights = shown?.opened.weights;
       ofFile.hidden = !weights;
-      ofFile.textContent = weights ? `${COSTS_OF_FILE} (${weights.name})` : COSTS_OF_FILE;
+      say(ofFile, weights ? t`Costs of the file (${weights.name})` : COSTS_OF_FILE);
       element.closest('details')?.toggleAttribute('hidden', (shown?.opened.interior ?? null) !== null);
     }
   });
@@ -200,7 +200,7 @@ function stepOf(radius: number): number {
   return (SIZE_STEPS * Math.log(radius / RADII[0])) / Math.log(RADII[1] / RADII[0]);
 }
 
-function titleOf(material: Material, custom: number): string {
+function titleOf(material: Material, custom: number): Words {
   switch (material) {
     case 'wall':
       return t('Nobody walks through');

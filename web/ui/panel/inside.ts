@@ -4,11 +4,11 @@ import type { Session } from '../../session/session';
 import { lookInto } from '../../state/edit';
 import { type LengthUnit, unitOf } from '../../state/scene';
 import { anglesOf, CUTS, DEFAULT_FILL, FILLS, type Inside, INSIDE_RANGES, LEAST_SPACING } from '../../state/inside';
-import { h, labelled, select, slider, toggle } from '../dom';
-import { count, counted, finePercent, fixed, percent, seconds, volume } from '../words';
-import { t } from '../../texts';
+import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
+import { finePercent, percent, seconds, tenths, tetrahedraWords, volume } from '../words';
+import { count, retold, sentences, some, t, type Words } from '../../texts';
 
-const CUT_WORDS: Record<Inside['cut'], string> = { none: t('nothing'), plane: t('half'), wedge: t('a wedge') };
+const CUT_WORDS: Record<Inside['cut'], Words> = { none: t('nothing'), plane: t('half'), wedge: t('a wedge') };
 
 /** Steps of the slider of tetrahedra for a factor of ten. */
 const FILL_STEPS = 20;
@@ -39,20 +39,15 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
   const report = h('p', { class: 'quiet', role: 'status' });
 
   const choose = (part: Partial<Inside>) => lookInto(scene, part, {});
-  const number = (
-    name: keyof typeof INSIDE_RANGES,
-    label: string,
-    step: number,
-    describe: (value: number) => string,
-  ) => {
-    const [min, max] = INSIDE_RANGES[name];
-    const change = (value: number, gesture: object) => lookInto(scene, { [name]: value }, gesture);
+  const number = (key: keyof typeof INSIDE_RANGES, label: Words, step: number, describe: (value: number) => Words) => {
+    const [min, max] = INSIDE_RANGES[key];
+    const change = (value: number, gesture: object) => lookInto(scene, { [key]: value }, gesture);
     return slider({ label, min, max, step, describe, change });
   };
   const cut = select<Inside['cut']>(t('Cut away'), labelled(CUTS, CUT_WORDS), (value) => choose({ cut: value }));
   cut.element.title = 'I';
   const place = number('place', t('Position'), 0.01, (value) => (value === 0 ? t('middle') : percent(value)));
-  place.element.title = t('Comma and full stop move it');
+  attribute(place.element, 'title', t('Comma and full stop move it'));
   const turn = number('turn', t('Turn'), 1, (value) => `${value}°`);
   const tilt = number('tilt', t('Tilt'), 1, (value) => `${value}°`);
   const opening = number('opening', t('Opening'), 1, (value) => `${value}°`);
@@ -62,7 +57,7 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
       class: 'small',
       title: t('Turns what is cut away towards the camera'),
       onclick: () => {
-        const [yaw, pitch] = view.camera ?? [0, 0];
+        const [yaw = 0, pitch = 0] = view.camera ?? [];
         choose(anglesOf([Math.sin(yaw) * Math.cos(pitch), Math.sin(pitch), Math.cos(yaw) * Math.cos(pitch)]));
       },
     },
@@ -126,10 +121,10 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     }
     showFill(scene.state);
     for (const element of [amount.element, fill]) element.hidden = interior !== null && !isFilled;
-    fill.textContent = isFilled ? t('Fill anew') : t('Fill the inside');
+    say(fill, isFilled ? t('Fill anew') : t('Fill the inside'));
     empty.hidden = !isFilled;
     looking.hidden = !interior;
-    report.textContent = reportOf(shown, unitOf(scene.state, shown.opened));
+    say(report, reportOf(shown, unitOf(scene.state, shown.opened)));
     showInside(scene.state);
   });
   showInside(scene.state);
@@ -137,27 +132,22 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
 }
 
 /** What tetrahedra there are. */
-function reportOf({ opened, places }: Shown, unit: LengthUnit): string {
+function reportOf({ opened, places }: Shown, unit: LengthUnit): Words {
   if (!opened.interior) return EMPTY;
   const { report, madeMs } = opened.interior;
-  const sentences = [
-    t`${counted(report.tetrahedra, 'tetrahedron', 'tetrahedra')} with dihedral angles from ${fixed(report.leastAngle, 1)}° to ${fixed(report.largestAngle, 1)}°, made in ${seconds(madeMs)}; volume ${volume(report.volume, unit)}.`,
-  ];
-  if (report.isFilled) {
-    sentences.push(
-      t`Their boundary is within ${finePercent(report.deviation / places.diameter)} of the diagonal of the surface.`,
-    );
-  }
-  if (report.holes > 0)
-    sentences.push(`${counted(report.holes, 'hole of the surface was closed', 'holes of the surface were closed')}.`);
-  if (report.leftOut > 0)
-    sentences.push(
-      `${counted(report.leftOut, 'without volume or twice there was left out', 'without volume or twice there were left out')}.`,
-    );
-  if (report.turned > 0)
-    sentences.push(`${counted(report.turned, 'inside out was turned', 'inside out were turned')}.`);
-  if (report.remark) sentences.push(`${report.remark}.`);
-  return sentences.join(' ');
+  const deviation = t`Their boundary is within ${finePercent(report.deviation / places.diameter)} of the diagonal of the surface.`;
+  return sentences(
+    t`${tetrahedraWords(report)} with dihedral angles from ${tenths(report.leastAngle)}° to ${tenths(report.largestAngle)}°, made in ${seconds(madeMs)}; volume ${volume(report.volume, unit)}.`,
+    report.isFilled ? deviation : null,
+    some(report.holes, '{0} hole of the surface was closed.', '{0} holes of the surface were closed.'),
+    some(
+      report.leftOut,
+      '{0} without volume or twice there was left out.',
+      '{0} without volume or twice there were left out.',
+    ),
+    some(report.turned, '{0} inside out was turned.', '{0} inside out were turned.'),
+    report.remark ? t`${retold(report.remark)}.` : null,
+  );
 }
 
 function fillAt(step: number): number {

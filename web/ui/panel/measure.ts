@@ -1,6 +1,6 @@
 /** The section of tapes, and the labels on the stage. What measures and shows them is loaded with the first tape. */
 import type { Session } from '../../session/session';
-import type { MeasuredTape, ToldTape } from '../../session/tapes';
+import type { MeasuredTape, TapeFigures } from '../../session/tapes';
 import { Signal } from '../../state/signal';
 import { h } from '../dom';
 import type { MeasureInput } from '../measure/input';
@@ -41,8 +41,8 @@ export class MeasureSection {
   }
 
   /** What is measured. */
-  get told(): readonly ToldTape[] {
-    return this.#loaded?.told() ?? [];
+  get figures(): readonly TapeFigures[] {
+    return this.#loaded?.figures() ?? [];
   }
 
   /** Labels go to where places are seen now. */

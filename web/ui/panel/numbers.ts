@@ -2,11 +2,11 @@ import type { PathKind } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { isSameUnit, type LengthUnit, unitOf } from '../../state/scene';
-import { h } from '../dom';
-import { bytes, count, finePercent, length, measure, milliseconds, percent, percentDown } from '../words';
-import { t } from '../../texts';
+import { h, say } from '../dom';
+import { bytes, finePercent, length, measure, milliseconds, percent, percentDown } from '../words';
+import { count, listed, t, type Words } from '../../texts';
 
-const PATH_WORDS: Record<PathKind, string> = {
+const PATH_WORDS: Record<PathKind, Words> = {
   descent: t('steepest descent'),
   straight: t('straightened'),
   exact: t('exact'),
@@ -15,31 +15,30 @@ const PATH_WORDS: Record<PathKind, string> = {
 /** Size of the mesh, accuracy, times and memory. */
 export function numbersSection(session: Session): HTMLElement {
   const table = h('dl', { class: 'numbers' });
-  const cells = new Map<string, HTMLElement>();
-  const put = (name: string, value: string) => {
-    let cell = cells.get(name);
-    if (!cell) {
-      cell = h('dd');
-      cells.set(name, cell);
-      table.append(h('dt', {}, name), cell);
-    }
-    if (cell.textContent !== value) cell.textContent = value;
+  const row = (name: Words) => {
+    const cell = h('dd');
+    table.append(h('dt', {}, name), cell);
+    return cell;
   };
+  const [renderer, pixels] = [row(t('Renderer')), row(t('Pixels drawn'))];
+  const cells: HTMLElement[] = [];
   const show = () => {
     const { scene, shown } = session;
     if (!shown.value) return;
-    for (const [name, value] of figures(shown.value, unitOf(scene.state, shown.value.opened))) put(name, value);
+    figures(shown.value, unitOf(scene.state, shown.value.opened)).forEach(([name, value], index) =>
+      say((cells[index] ??= row(name)), value),
+    );
   };
   session.shown.watch(show);
   session.scene.subscribe((state, previous) => {
     if (!isSameUnit(state, previous)) show();
   });
-  session.view.backend.watch((backend) => put(t('Renderer'), backend ?? t('none')));
-  session.view.resolution.watch((share) => put(t('Pixels drawn'), percent(share ** 2)));
+  session.view.backend.watch((backend) => say(renderer, backend ?? t('none')));
+  session.view.resolution.watch((share) => say(pixels, percent(share ** 2)));
   return table;
 }
 
-function figures({ opened, answer, places }: Shown, unit: LengthUnit): [string, string][] {
+function figures({ opened, answer, places }: Shown, unit: LengthUnit): [Words, Words][] {
   const { report } = opened;
   const { field, path, factoring } = answer;
   const { timings } = factoring;
@@ -59,7 +58,7 @@ function figures({ opened, answer, places }: Shown, unit: LengthUnit): [string, 
     [t('Exact vertices'), field ? percentDown(field.exactShare) : '–'],
     [t('Mean error before refinement'), field?.error ? finePercent(field.error.mean) : '–'],
     [t('Maximum error'), field?.error ? finePercent(field.error.max) : '–'],
-    [t('Path'), path ? `${measure(path.length, unit)}, ${PATH_WORDS[answer.pathKind]}` : '–'],
+    [t('Path'), path ? listed(measure(path.length, unit), PATH_WORDS[answer.pathKind]) : '–'],
     [t('Cost of the path'), path ? length(path.cost) : '–'],
     [t('Windows of a half-edge'), field?.windows ? count(field.windows) : '–'],
     [t('Time factor m'), field?.timeFactor ? length(field.timeFactor) : '–'],

@@ -1,11 +1,11 @@
 /** The floating panel: sections that collapse and remember it; on a narrow window a sheet with two stops. */
-import { h } from '../dom';
+import { attribute, h, say } from '../dom';
 import { remember, remembered } from '../memory';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 export interface Section {
   id: string;
-  title: string;
+  title: Words;
   /** Of one that is loaded: asked for when it is expanded first. */
   element: HTMLElement | (() => Promise<HTMLElement>);
   /** Until the user expands or collapses it. */
@@ -42,8 +42,8 @@ export function buildPanel(sections: readonly Section[]): HTMLElement {
     panel.dataset.open = String(open);
     handle.setAttribute('aria-expanded', String(open));
     const name = open ? t('Collapse the panel') : t('Expand the panel');
-    handle.setAttribute('aria-label', name);
-    handle.title = name;
+    attribute(handle, 'aria-label', name);
+    attribute(handle, 'title', name);
     body.inert = !open;
     keep('panel', open);
   };
@@ -56,13 +56,12 @@ export function buildPanel(sections: readonly Section[]): HTMLElement {
 /** Stands for an element until its section is expanded. */
 function later(load: () => Promise<HTMLElement>): HTMLElement {
   const place = h('div', { class: 'quiet' });
-  new IntersectionObserver(([entry], observer) => {
-    if (!entry.isIntersecting) return;
+  new IntersectionObserver(([seen], observer) => {
+    if (!seen?.isIntersecting) return;
     observer.disconnect();
     load().then(
       (element) => place.replaceWith(element),
-      () =>
-        (place.textContent = t('This part of the page could not be loaded. Check the connection and reload the page.')),
+      () => say(place, t('This part of the page could not be loaded. Check the connection and reload the page.')),
     );
   }).observe(place);
   return place;

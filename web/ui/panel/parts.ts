@@ -1,9 +1,9 @@
 import type { OpenedMesh } from '../../protocol';
 import type { Opener } from '../../session/opener';
 import type { Session } from '../../session/session';
-import { h } from '../dom';
-import { count, counted } from '../words';
-import { t } from '../../texts';
+import { attribute, h, say } from '../dom';
+import { trianglesWords } from '../words';
+import { count, t } from '../../texts';
 
 interface Row {
   element: HTMLElement;
@@ -23,7 +23,7 @@ export function partsControl(session: Session, opener: Opener): HTMLElement {
     };
     rows = parts.map(({ name, triangles }, index) => {
       const isActive = active.includes(index);
-      const label = name || t`Part ${index + 1}`;
+      const title = name || t`Part ${index + 1}`;
       const box = h('input', {
         type: 'checkbox',
         checked: isActive,
@@ -35,14 +35,15 @@ export function partsControl(session: Session, opener: Opener): HTMLElement {
           box.checked = isActive;
         },
       });
-      const size = h('small', { title: counted(triangles, 'triangle') }, count(triangles));
+      const size = h('small', { title: trianglesWords(triangles) }, count(triangles));
       const eye = isActive ? null : h('button', { onclick: () => toggle(index) });
       const show = (hidden: readonly number[]) => {
         if (!eye) return;
-        eye.textContent = hidden.includes(index) ? t('Show') : t('Hide');
-        eye.setAttribute('aria-label', `${eye.textContent} ${label}`);
+        const isHidden = hidden.includes(index);
+        say(eye, isHidden ? t('Show') : t('Hide'));
+        attribute(eye, 'aria-label', isHidden ? t`Show ${title}` : t`Hide ${title}`);
       };
-      return { element: h('div', { class: 'part' }, h('label', {}, box, h('span', {}, label), size), eye), show };
+      return { element: h('div', { class: 'part' }, h('label', {}, box, h('span', {}, title), size), eye), show };
     });
     list.hidden = parts.length < 2;
     list.replaceChildren(

@@ -4,10 +4,10 @@ import type { Session } from '../../session/session';
 import { PRESETS } from '../../state/presets';
 import { isSameUnit, type UnitChoice, unitOf, UNITS } from '../../state/scene';
 import { AUTOMATIC } from '../../wasm/contract';
-import { h, select } from '../dom';
+import { attribute, h, say, select } from '../dom';
 import { simplifiedSentence } from '../words';
 import { partsControl } from './parts';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 /** URL of each preset's thumbnail by its path; `npm run gallery` draws them. */
 const THUMBNAILS = import.meta.glob<string>('../../thumbnails/*.webp', {
@@ -37,7 +37,7 @@ export function sceneSection(
   const buttons = PRESETS.map((preset) => {
     const button = h(
       'button',
-      { class: 'card', title: `${preset.title} — ${preset.credit}`, onclick: () => void opener.preset(preset.id) },
+      { class: 'card', title: t`${preset.title} — ${preset.credit}`, onclick: () => void opener.preset(preset.id) },
       thumbnail(preset.id, drawn),
       h('span', {}, preset.title),
     );
@@ -47,24 +47,26 @@ export function sceneSection(
   const credit = h('p', { class: 'quiet' });
 
   const simplified = h('p', { class: 'quiet', hidden: true });
-  const units: [UnitChoice, string][] = [
+  const units: [UnitChoice, Words][] = [
     [AUTOMATIC, t('automatic')],
-    ...UNITS.map((name): [UnitChoice, string] => [name, name]),
+    ...UNITS.map((name): [UnitChoice, Words] => [name, name === 'none' ? t('none') : name]),
   ];
   const unit = select(t('Unit'), units, (value) => session.scene.edit({ unit: value, scale: 1 }));
-  unit.element.title = t(
-    'What the lengths of the file are told in; none is converted. A tape of known length sets another scale',
+  attribute(
+    unit.element,
+    'title',
+    t('The unit of the lengths in the file; none is converted. A tape of known length sets another scale'),
   );
   const automatic = unit.element.querySelector('option');
   const showUnit = () => {
     const { scene, shown } = session;
     unit.show(scene.state.unit);
     const opened = shown.value?.opened;
-    simplified.textContent = opened ? simplifiedSentence(opened, unitOf(scene.state, opened)) : null;
+    say(simplified, opened ? simplifiedSentence(opened, unitOf(scene.state, opened)) : null);
     simplified.hidden = !simplified.textContent;
     if (!opened || !automatic) return;
     const { symbol, assumed } = unitOf({ unit: AUTOMATIC, scale: 1 }, opened);
-    automatic.textContent = symbol ? `${symbol} (${assumed ? t('assumed') : t('of the file')})` : t('automatic (none)');
+    say(automatic, symbol ? (assumed ? t`${symbol} (assumed)` : t`${symbol} (of the file)`) : t('automatic (none)'));
   };
   session.shown.watch(showUnit);
 
@@ -74,7 +76,7 @@ export function sceneSection(
       button.setAttribute('aria-pressed', String(mesh.kind === 'preset' && mesh.id === id));
     }
     const preset = mesh.kind === 'preset' ? PRESETS.find(({ id }) => id === mesh.id) : undefined;
-    credit.textContent = preset ? t`${preset.title}: ${preset.credit}` : '';
+    say(credit, preset ? t`${preset.title}: ${preset.credit}` : '');
     credit.hidden = !preset;
   };
   session.scene.subscribe((state, previous) => {

@@ -7,14 +7,14 @@ import { fitLink } from '../../state/sets';
 import type { Signal } from '../../state/signal';
 import type { SourceSet } from '../../state/sources';
 import { save } from '../../view/picture';
-import { h, select } from '../dom';
+import { h, say, select } from '../dom';
 import { DRAWING, type Tool } from '../../state/tool';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 const NO_DRAWING = 'none';
 type Choice = typeof NO_DRAWING | (typeof DRAWING)[number];
 
-const WORDS: readonly (readonly [Choice, string])[] = [
+const WORDS: readonly (readonly [Choice, Words])[] = [
   [NO_DRAWING, t('single sources')],
   ['line', t('line along edges (4)')],
   ['stroke', t('stroke (5)')],
@@ -22,7 +22,7 @@ const WORDS: readonly (readonly [Choice, string])[] = [
   ['part', t('whole part (7)')],
 ];
 
-const HINTS: Record<Choice, string> = {
+const HINTS: Record<Choice, Words> = {
   none: matchMedia('(pointer: coarse)').matches
     ? t('Choose what a tap draws.')
     : t('Shift + click draws a line along edges from the last source.'),
@@ -46,19 +46,19 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
   tool.watch((value) => {
     const chosen = DRAWING.find((drawing) => drawing === value) ?? NO_DRAWING;
     choice.show(chosen);
-    hint.textContent = HINTS[chosen];
+    say(hint, HINTS[chosen]);
   });
 
   const said = h('p', { class: 'quiet', role: 'status', hidden: true });
-  const tell = (text: string) => {
-    said.hidden = text === '';
-    said.textContent = text;
+  const tell = (text: Words) => {
+    said.hidden = false;
+    say(said, text);
   };
   const add = async (text: string) => {
     if (text.trim() === '') return;
     try {
       const { addList } = await import('../../session/sets');
-      tell(addList(session, t('List'), text));
+      tell(addList(session, String(t('List')), text));
       field.value = '';
     } catch (error) {
       tell(messageOf(error));
@@ -124,9 +124,8 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
     const { sets, sources } = scene.state;
     keeping.hidden = sets.length === 0 && sources.length < 2;
     close.hidden = openCurve(scene) === undefined;
-    const text = fitLink(sets) ? '' : TOO_MANY;
-    tooMany.hidden = text === '';
-    if (tooMany.textContent !== text) tooMany.textContent = text;
+    tooMany.hidden = fitLink(sets);
+    say(tooMany, tooMany.hidden ? null : TOO_MANY);
   };
   scene.subscribe((state, previous) => {
     // While a stroke is drawn, its text is not wanted at every step.

@@ -1,10 +1,11 @@
+import { Failure } from '../../error';
 import type { Session } from '../../session/session';
 import { fitLink } from '../../state/sets';
 import { canRecord, png, save, video } from '../../view/picture';
 import { copy } from '../clipboard';
-import { h, select, toggle } from '../dom';
+import { h, say, select, toggle } from '../dom';
 import { fileNameOf } from '../words';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 const SCALES = ['1', '2', '4'] as const;
 /** What a video can show. */
@@ -47,14 +48,16 @@ function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
   const give = async (text: string) => {
     field.hidden = await copy(text);
     if (field.hidden) {
-      said.textContent = fitLink(scene.state.sets)
-        ? t('Copied.')
-        : t('Copied, without lists and curves of sources: they are too many for a link.');
+      const isWhole = fitLink(scene.state.sets);
+      say(
+        said,
+        isWhole ? t('Copied.') : t('Copied, without lists and curves of sources: they are too many for a link.'),
+      );
       return;
     }
     field.value = text;
     field.select();
-    said.textContent = t('The clipboard is not available. Copy it from the field.');
+    say(said, t('The clipboard is not available. Copy it from the field.'));
   };
   return [
     h(
@@ -127,7 +130,7 @@ function videoControls(session: Session): HTMLElement[] {
     }
   };
   const walkVideo = () => {
-    if (walk.length === 0) throw new Error(t('There is no walker. Alt + click the surface to place one.'));
+    if (walk.length === 0) throw new Failure(t('There is no walker. Alt + click the surface to place one.'));
     return video(view, walk.perform());
   };
   const record = async () =>
@@ -137,7 +140,7 @@ function videoControls(session: Session): HTMLElement[] {
 }
 
 /** A button that is disabled while it works and reports a failure to the page. */
-function worker(name: string, title: string) {
+function worker(name: Words, title: Words) {
   const button = h('button', { class: 'wide', title }, name);
   const run = (session: Session, work: () => Promise<void>) => {
     button.disabled = true;

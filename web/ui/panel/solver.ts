@@ -14,12 +14,12 @@ import {
   type PathKind,
   WINDOWS,
 } from '../../wasm/contract';
-import { automaticSlider, h, labelled, select, toggle } from '../dom';
+import { automaticSlider, h, labelled, say, select, toggle } from '../dom';
 import { BOUNDARIES, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS, timeFactor } from '../settings';
-import { count, linksSentence, refiningSentence } from '../words';
-import { t } from '../../texts';
+import { linksSentence, refiningSentence } from '../words';
+import { count, t, type Words } from '../../texts';
 
-const METHOD_HINTS: Record<Method, string> = {
+const METHOD_HINTS: Record<Method, Words> = {
   auto: t('Propagation at once, then refined to exact. Nothing is factored.'),
   propagation: t('By a few windows of each half-edge; never below the exact distance. Nothing is factored.'),
   heat: t('Smooth distances from matrices that are factored once; refined to exact.'),
@@ -29,13 +29,13 @@ const METHOD_HINTS: Record<Method, string> = {
 const INSIDE_HINT = t(
   'By waves through the tetrahedra: exact where a straight line leads to a source. Nothing is factored.',
 );
-const PATHS: Record<PathKind, string> = {
+const PATHS: Record<PathKind, Words> = {
   descent: t('Steepest descent'),
   straight: t('Straightened'),
   exact: t('Exact'),
 };
 /** Any other distance is given by the link. */
-const BRIDGES: readonly (readonly [Bridge, string])[] = [
+const BRIDGES: readonly (readonly [Bridge, Words])[] = [
   ['auto', t('Touching or near')],
   [0, t('Touching')],
   ['off', t('None')],
@@ -60,7 +60,7 @@ export function solverSection(session: Session): HTMLElement {
     min: nearest,
     max: farthest,
     step: 1,
-    describe: (value, automatic) => (value === 0 ? t('off') : `${automatic ? '≈ ' : ''}${t`${value} edges`}`),
+    describe: (value, automatic) => (value === 0 ? t('off') : automatic ? t`≈ ${value} edges` : t`${value} edges`),
     change: (value, gesture) => change({ exactRadius: value }, gesture),
   });
   const multi = select(t('Multi-source'), labelled(MULTI_SOURCE.names, MULTI_SOURCES), (value) =>
@@ -108,7 +108,7 @@ export function solverSection(session: Session): HTMLElement {
     for (const element of moreOfWindows) element.hidden = isByHeat || isInside;
     method.allow((name) => isMethodOf(name, isInside));
     method.show(state.method);
-    hint.textContent = isInside && !isByHeat ? INSIDE_HINT : METHOD_HINTS[state.method];
+    say(hint, isInside && !isByHeat ? INSIDE_HINT : METHOD_HINTS[state.method]);
     windows.show(state.windows);
     refine.element.hidden = isInside || !(isByHeat || state.method === 'auto');
     path.element.hidden = isInside;
@@ -119,7 +119,7 @@ export function solverSection(session: Session): HTMLElement {
     bridge.element.hidden = !opened || !mayBeJoined(opened);
     bridge.show(state.bridge);
     const factoring = session.shown.value?.answer.factoring;
-    linked.textContent = factoring ? linksSentence(factoring) : null;
+    say(linked, factoring ? linksSentence(factoring) : null);
     links.hidden = linked.textContent === '';
     factor.show(parameters.timeStep, session.shown.value?.answer.field?.timeFactor ?? 1);
     boundary.show(parameters.boundary);
@@ -171,7 +171,7 @@ export function solverSection(session: Session): HTMLElement {
   );
 }
 
-function quiet(text: string): HTMLElement {
+function quiet(text: Words): HTMLElement {
   return h('p', { class: 'quiet' }, text);
 }
 
@@ -182,7 +182,7 @@ function refiningStatus(session: Session): HTMLElement {
     const { phase } = session.refiner;
     const field = session.shown.value?.answer.field;
     const sentence = field ? refiningSentence(phase.value, field, session.scene.state) : '';
-    if (status.textContent !== sentence) status.textContent = sentence;
+    say(status, sentence);
   };
   session.shown.watch(show);
   session.refiner.phase.watch(show);

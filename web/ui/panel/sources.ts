@@ -4,10 +4,10 @@ import type { Session } from '../../session/session';
 import { removeEntry, setInitialDistance } from '../../state/edit';
 import type { SceneState } from '../../state/scene';
 import type { Signal } from '../../state/signal';
-import { h } from '../dom';
+import { h, say } from '../dom';
 import type { Tool } from '../../state/tool';
 import { setName, unreachedSentence } from '../words';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 /**
  * The list of sources: select, focus, initial distance, delete; what draws and adds them, fetched after the `first` picture; and the
@@ -93,15 +93,15 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
         field.valueAsNumber = entryAt(scene.state, index).offset;
       },
     });
-    return h('label', { class: 'initial quiet' }, 'initial', field);
+    return h('label', { class: 'initial quiet' }, t('initial'), field);
   };
-  const label = () => {
+  const show = () => {
     const { selected } = scene.state;
     rows.forEach((element, index) => {
       const name = element.querySelector<HTMLButtonElement>('.source-name');
       if (!name) return;
       const { title, offset } = entryAt(scene.state, index, session.shown.value?.opened);
-      name.textContent = title;
+      say(name, title);
       name.setAttribute('aria-pressed', String(index === selected));
       const initial = element.querySelector<HTMLInputElement>('.initial input');
       // What is being typed is left alone.
@@ -112,16 +112,16 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
     // A drag changes places, not the rows: rebuilding them would drop the focus.
     if (state.sources.length !== previous.sources.length || state.sets.length !== previous.sets.length) build();
     const isOther = state.sources !== previous.sources || state.sets !== previous.sets;
-    if (isOther || state.selected !== previous.selected) label();
+    if (isOther || state.selected !== previous.selected) show();
   });
   build();
-  label();
+  show();
 
   session.shown.watch((shown) => {
     const sentence = shown?.answer.field ? unreachedSentence(shown.opened, shown.answer.field) : null;
     unreached.hidden = !sentence;
     linking.hidden = !sentence || shown?.opened.report.components === 1 || shown?.opened.interior !== null;
-    if (unreached.textContent !== (sentence ?? '')) unreached.textContent = sentence ?? '';
+    say(unreached, sentence ?? '');
   });
   unreached.setAttribute('role', 'status');
   const drawing = h('div', { class: 'stack' });
@@ -131,7 +131,7 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
 
 /** What a row of the list shows. */
 interface Entry {
-  title: string;
+  title: Words;
   offset: number;
   /** A place of it to look at. */
   middle: MeshPoint;
@@ -140,8 +140,8 @@ interface Entry {
 const NOTHING: Entry = { title: '', offset: 0, middle: { vertex: -1 } };
 
 function entryAt({ sources, sets }: SceneState, index: number, opened?: OpenedMesh): Entry {
-  if (index < sources.length) {
-    const source = sources[index];
+  const source = sources[index];
+  if (source) {
     return { title: pointName(source), offset: source.offset ?? 0, middle: source };
   }
   const set = sets.at(index - sources.length);
@@ -150,7 +150,7 @@ function entryAt({ sources, sets }: SceneState, index: number, opened?: OpenedMe
   return { title: setName(set, opened), offset: set.offset, middle };
 }
 
-function pointName(point: MeshPoint): string {
+function pointName(point: MeshPoint): Words {
   if ('vertex' in point) return t`Vertex ${point.vertex}`;
   return 'face' in point ? t`Triangle ${point.face}` : t`Tetrahedron ${point.tetrahedron}`;
 }

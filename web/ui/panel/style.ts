@@ -18,8 +18,8 @@ import {
 } from '../../state/styles';
 import { isSameUnit, unitOf } from '../../state/scene';
 import { h, labelled, select, slider, toggle } from '../dom';
-import { fixed, measure, percent } from '../words';
-import { t } from '../../texts';
+import { measure, percent, tenths } from '../words';
+import { t, type Words } from '../../texts';
 
 const SINGLE_COLOR = 'single color';
 const OF_FILE = "the file's materials";
@@ -73,7 +73,7 @@ function gallery(choose: (style: Style) => void): Part {
   return {
     element,
     show: ({ name }) =>
-      buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(STYLES[i].name === name))),
+      buttons.forEach((button, i) => button.setAttribute('aria-pressed', String(STYLES[i]?.name === name))),
   };
 }
 
@@ -102,14 +102,14 @@ function patternControls(session: Session, change: Change): Part {
     min: 0,
     max: 1,
     step: 0.02,
-    describe: (value) => (lines ? `${fixed(value * WIDEST_LINE, 1)} px` : percent(value)),
+    describe: (value) => (lines ? t`${tenths(value * WIDEST_LINE)} px` : percent(value)),
     change: (value, gesture) => change({ width: value }, gesture),
   });
   const number = (
-    label: string,
+    label: Words,
     key: 'offset' | 'sharpness' | 'relief' | 'flow',
     step: number,
-    describe: (value: number) => string,
+    describe: (value: number) => Words,
   ) => {
     const [min, max] = STYLE_RANGES[key];
     const { element, show } = slider({
@@ -124,13 +124,10 @@ function patternControls(session: Session, change: Change): Part {
   };
   const offset = number(t('Offset'), 'offset', 0.02, percent);
   const sharpness = number(t('Sharpness'), 'sharpness', 0.05, percent);
-  const relief = number(
-    t('Relief'),
-    'relief',
-    0.01,
-    (value) => (value < 0 ? t('groove ') : '') + percent(Math.abs(value)),
+  const relief = number(t('Relief'), 'relief', 0.01, (value) =>
+    value < 0 ? t`groove ${percent(-value)}` : percent(value),
   );
-  const flow = number(t('Flow'), 'flow', 0.1, (value) => (value === 0 ? t('still') : `${fixed(value, 1)} / s`));
+  const flow = number(t('Flow'), 'flow', 0.1, (value) => (value === 0 ? t('still') : t`${tenths(value)} / s`));
   const bandsOnly = [sharpness.element, relief.element];
   const patterned = [period.element, width.element, offset.element, flow.element];
   return {
@@ -194,13 +191,13 @@ function colours(session: Session, change: Change): Part {
   };
 }
 
-const BLEND_WORDS: Record<Blend, string> = {
+const BLEND_WORDS: Record<Blend, Words> = {
   contrast: t('over, standing out'),
   over: t('over the materials'),
   multiply: t('multiplied with them'),
 };
 
-const MAP_WORDS: Record<MapName, string> = {
+const MAP_WORDS: Record<MapName, Words> = {
   colour: t('Color'),
   normal: t('Normal'),
   emission: t('Emission'),
@@ -215,7 +212,7 @@ function materials(current: () => Style, change: Change): Part {
     });
     return { map, element, show };
   });
-  const finish = (of: 'surface' | 'stripes', label: string, key: keyof Finish, max: number) => {
+  const finish = (of: 'surface' | 'stripes', label: Words, key: keyof Finish, max: number) => {
     const control = slider({
       label,
       min: 0,

@@ -8,14 +8,14 @@ import type { SceneState } from '../state/scene';
 import { type SetShape, type SourceSet, withOffset } from '../state/sources';
 import { found, type Mesh } from './found';
 import { drawnPlace, filePlace, nearestPlace } from './nearest';
-import type { Carry, Shown } from './prepare';
+import type { Transfer, Shown } from './prepare';
 import { t } from '../texts';
 
-/** Where a place is on the other mesh; null where that has none there. */
+/** Where a place is on the other mesh; null where it has none there. */
 type Take = (point: MeshPoint) => MeshPoint | null;
 
 /** `reach`: how far a place may be from where it was, as a share of the diameter. What is farther stays behind. */
-export function carry({ opened }: Shown, state: SceneState, reach: number): Carry {
+export function transfer({ opened }: Shown, state: SceneState, reach: number): Transfer {
   // In the pose of the file, in which meshes are opened.
   const before = new Places(opened);
   return async (mesh) => {
@@ -37,7 +37,7 @@ export function carry({ opened }: Shown, state: SceneState, reach: number): Carr
       walker: state.walker && take(state.walker),
       tapes: state.tapes
         .map((tape) => ({ ...tape, points: all(tape.points, take) }))
-        .filter(({ points }, index) => points.length === state.tapes[index].points.length),
+        .filter(({ points }, index) => points.length === state.tapes[index]?.points.length),
     };
   };
 }
@@ -66,13 +66,17 @@ function shapeOn(shape: SetShape, { opened, places }: Mesh, take: Take): SetShap
     case 'boundary':
     case 'component': {
       if (isInside) {
-        return shape.kind === 'boundary' ? { kind: 'stroke', closed: true } : { kind: 'list', name: t('Component') };
+        return shape.kind === 'boundary'
+          ? { kind: 'stroke', closed: true }
+          : { kind: 'list', name: String(t('Component')) };
       }
       const vertex = vertexAt(shape.vertex);
       return vertex === null ? null : { ...shape, vertex };
     }
     case 'part':
-      return isInside ? { kind: 'list', name: opened.parts[shape.part].name || t`Part ${shape.part + 1}` } : shape;
+      return isInside
+        ? { kind: 'list', name: opened.parts[shape.part]?.name || String(t`Part ${shape.part + 1}`) }
+        : shape;
   }
 }
 

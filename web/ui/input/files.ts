@@ -1,22 +1,23 @@
 /** What a drop, the clipboard or a file dialogue holds, as files with their paths. */
+import { Failure } from '../../error';
 import { addressIn } from '../../files/address';
 import { isArchive, isMesh } from '../../files/paths';
-import type { GivenFile } from '../../protocol';
-import type { Given } from '../../session/opener';
+import type { InputFile } from '../../protocol';
+import type { InputFiles } from '../../session/opener';
 import { t } from '../../texts';
 
 /** A folder with more is not the folder of a mesh. */
 const MOST_FILES = 10_000;
 
 /** Files as a dialogue gives them; those of a folder tell their paths. */
-export function givenFiles(files: Iterable<File>): Given {
+export function filesOf(files: Iterable<File>): InputFiles {
   const given = Array.from(files, (file) => ({ path: file.webkitRelativePath || file.name, content: file }));
-  const [title] = (given[0]?.path ?? '').split('/');
+  const [title = ''] = (given[0]?.path ?? '').split('/');
   return { title, files: given.length > MOST_FILES ? Promise.reject(tooMany(title)) : Promise.resolve(given) };
 }
 
 /** Files and folders. To be called while the event that brings them is handled: later, they are gone. */
-export function givenItems(items: DataTransferItemList): Given {
+export function itemsOf(items: DataTransferItemList): InputFiles {
   const taken = Array.from(items)
     .filter(({ kind }) => kind === 'file')
     .map((item) => ({ entry: item.webkitGetAsEntry(), file: item.getAsFile() }));
@@ -40,8 +41,8 @@ interface Taken {
   file: File | null;
 }
 
-async function allOf(title: string, taken: readonly Taken[]): Promise<GivenFile[]> {
-  const found: GivenFile[] = [];
+async function allOf(title: string, taken: readonly Taken[]): Promise<InputFile[]> {
+  const found: InputFile[] = [];
   const add = (path: string, content: Blob) => {
     if (found.length === MOST_FILES) throw tooMany(title);
     found.push({ path, content });
@@ -73,7 +74,7 @@ function fileOf(entry: FileSystemFileEntry): Promise<File> {
 async function childrenOf(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
   const reader = folder.createReader();
   const children: FileSystemEntry[] = [];
-  // A folder is told in pieces, the last of them empty.
+  // A folder is listed in batches, the last of them empty.
   for (;;) {
     const piece = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
     if (piece.length === 0) return children;
@@ -82,5 +83,5 @@ async function childrenOf(folder: FileSystemDirectoryEntry): Promise<FileSystemE
 }
 
 function tooMany(title: string): Error {
-  return new Error(t`${title} holds more than ${MOST_FILES} files; choose the folder of one mesh`);
+  return new Failure(t`${title} holds more than ${MOST_FILES} files; choose the folder of one mesh`);
 }

@@ -21,7 +21,7 @@ export const PLAIN_QUESTION: Omit<Question, 'parameters' | 'sources'> = {
 };
 
 /** Opens a mesh for as long as it is asked; its worker ends with that, and when `signal` is aborted, with a rejection. */
-export async function aside<T>(
+export async function inBackground<T>(
   load: () => Promise<MeshInput>,
   wanted: Wanted,
   signal: AbortSignal,
