@@ -1,31 +1,10 @@
 import { defineConfig } from '@playwright/test';
 import { PAGE } from './tests/built';
+import { ALWAYS, MESA, WEBGL, WEBGPU } from './tools/chromium.mjs';
 import { hasMesa } from './tools/needs.mjs';
 
 /** Another one lets two checkouts be tested side by side. */
 const PORT = Number(process.env['PORT'] ?? 4173);
-
-const ALWAYS = [
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-];
-/** The browser's own rasterizer, the same on every machine. */
-const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-/** Mesa's takes half the time. */
-const MESA = ['--use-angle=gl-egl', '--ignore-gpu-blocklist'];
-/** All of them together: any fewer give a blank canvas without an error. */
-const WEBGPU = [
-  ...WEBGL,
-  '--enable-unsafe-webgpu',
-  '--use-webgpu-adapter=swiftshader',
-  '--enable-features=Vulkan',
-  '--use-vulkan=swiftshader',
-  '--ignore-gpu-blocklist',
-];
 
 /** What takes long by nature runs apart from all else. */
 const SLOW = /@slow/;

@@ -8,6 +8,7 @@ import { preview } from 'vite';
 import { FIGURES } from './gallery/figures.mjs';
 import { galleryText } from './gallery/text.mjs';
 import { bundle, publishModules } from './bundle.mjs';
+import { ALWAYS, WEBGL } from './chromium.mjs';
 import { prepare, requireChromium } from './needs.mjs';
 import { root } from './steps.mjs';
 
@@ -25,7 +26,7 @@ bundle();
 const server = await preview({ root, logLevel: 'error' });
 const browser = await chromium.launch({
   executablePath: requireChromium(),
-  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+  args: [...ALWAYS, ...WEBGL],
   ignoreDefaultArgs: ['--disable-gpu'],
 });
 const tab = await browser.newPage({ viewport: WINDOW, reducedMotion: 'reduce', colorScheme: 'light' });

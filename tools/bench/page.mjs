@@ -7,21 +7,12 @@ import { brotliCompressSync, constants } from 'node:zlib';
 // Of two checkouts, each brings its own; the test runner would refuse to be loaded twice.
 import { chromium } from 'playwright-core';
 import { preview } from 'vite';
+import { ALWAYS, WEBGL, WEBGPU } from '../chromium.mjs';
 import { requireChromium } from '../needs.mjs';
 import { root } from '../steps.mjs';
 
 const dist = join(root, 'dist');
-const ALWAYS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking'];
 const UNDRAWN = ['--disable-gpu', '--disable-software-rasterizer', '--disable-3d-apis'];
-const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
-const WEBGPU = [
-  ...WEBGL,
-  '--enable-unsafe-webgpu',
-  '--use-webgpu-adapter=swiftshader',
-  '--enable-features=Vulkan',
-  '--use-vulkan=swiftshader',
-  '--ignore-gpu-blocklist',
-];
 
 const SILENCE_MS = 300_000;
 

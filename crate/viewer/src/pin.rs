@@ -3,10 +3,9 @@ use glam::Vec3;
 use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
-use crate::pipeline::{PipelineRecipe, Place};
 use crate::shader::shader_module;
 use crate::shared::Shared;
-use crate::solid::{Detail, Solid, SolidBuffers};
+use crate::solid::{Detail, Solid, SolidBuffers, SolidPipelines};
 use crate::vertex::vertex_layout;
 
 #[repr(C)]
@@ -32,8 +31,7 @@ const BALL: [f32; 2] = [1.0, 0.0];
 
 /// Draws the sources.
 pub(crate) struct Pins {
-    pipeline: wgpu::RenderPipeline,
-    shadow: wgpu::RenderPipeline,
+    pipelines: SolidPipelines,
     solid: SolidBuffers,
     instances: Instances<Pin>,
 }
@@ -44,20 +42,10 @@ impl Pins {
         // The tip starts below the surface, so that it never hovers over a coarse triangle.
         solid.turned(Vec3::NEG_Y * 0.08, Vec3::Y, &[(0.0, 0.3 * NEEDLE_RADIUS), (0.9, NEEDLE_RADIUS)], NEEDLE);
         solid.ball(Vec3::Y * (1.0 - BALL_RADIUS), Vec3::Y, BALL_RADIUS, BALL_RADIUS, BALL);
-        let recipe = PipelineRecipe {
-            label: "pin",
-            layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
-            module: &shader_module!(context, "pin"),
-            vertex: "vs_pin",
-            fragment: "fs_pin",
-            buffers: &[Some(SolidBuffers::LAYOUT), Some(PIN)],
-            topology: wgpu::PrimitiveTopology::TriangleList,
-            place: Place::Solid,
-        };
-        let casting = PipelineRecipe { layouts: &[Some(&shared.frame_layout)], ..recipe.clone() };
+        let module = shader_module!(context, "pin");
+        let names = ["pin", "vs_pin", "fs_pin"];
         Ok(Self {
-            pipeline: recipe.build(context),
-            shadow: casting.build_shadow(context),
+            pipelines: SolidPipelines::new(context, shared, &module, names, PIN),
             solid: solid.upload(context)?,
             instances: Instances::new("pins"),
         })
@@ -74,11 +62,11 @@ impl Pins {
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.draw_with(pass, &self.pipeline);
+        self.draw_with(pass, &self.pipelines.drawn);
     }
 
     pub(crate) fn draw_shadow(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.draw_with(pass, &self.shadow);
+        self.draw_with(pass, &self.pipelines.shadow);
     }
 
     /// Around each pin; `radius` is the surface's bounding radius.

@@ -5,6 +5,8 @@ use glam::{Vec2, Vec3};
 use crate::buffer::mesh_buffer;
 use crate::context::Context;
 use crate::error::Error;
+use crate::pipeline::{PipelineRecipe, Place};
+use crate::shared::Shared;
 use crate::vertex::vertex_layout;
 
 #[repr(C)]
@@ -125,6 +127,35 @@ impl SolidBuffers {
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
         pass.draw_indexed(0..self.index_count, 0, 0..instances);
+    }
+}
+
+/// How instances of a solid are drawn.
+pub(crate) struct SolidPipelines {
+    pub(crate) drawn: wgpu::RenderPipeline,
+    pub(crate) shadow: wgpu::RenderPipeline,
+}
+
+impl SolidPipelines {
+    pub(crate) fn new(
+        context: &Context,
+        shared: &Shared,
+        module: &wgpu::ShaderModule,
+        [label, vertex, fragment]: [&str; 3],
+        instance: wgpu::VertexBufferLayout<'static>,
+    ) -> Self {
+        let recipe = PipelineRecipe {
+            label,
+            layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
+            module,
+            vertex,
+            fragment,
+            buffers: &[Some(SolidBuffers::LAYOUT), Some(instance)],
+            topology: wgpu::PrimitiveTopology::TriangleList,
+            place: Place::Solid,
+        };
+        let casting = PipelineRecipe { layouts: &[Some(&shared.frame_layout)], ..recipe.clone() };
+        Self { drawn: recipe.build(context), shadow: casting.build_shadow(context) }
     }
 }
 

@@ -4,11 +4,10 @@ use crate::buffer::Instances;
 use crate::context::Context;
 use crate::error::Error;
 use crate::gait::{ANKLE, Figure};
-use crate::pipeline::{PipelineRecipe, Place};
 use crate::pose::{CrowdPose, Track};
 use crate::shader::shader_module;
 use crate::shared::Shared;
-use crate::solid::{Detail, Solid, SolidBuffers};
+use crate::solid::{Detail, Solid, SolidBuffers, SolidPipelines};
 use crate::vertex::vertex_layout;
 
 /// The walker's height in bounding radii of the surface.
@@ -33,8 +32,7 @@ const FIGURE: wgpu::VertexBufferLayout<'static> =
 
 /// Draws the figure that walks along the path, and the crowd.
 pub(crate) struct Walkers {
-    pipeline: wgpu::RenderPipeline,
-    shadow: wgpu::RenderPipeline,
+    pipelines: SolidPipelines,
     walker: Group,
     crowd: Group,
 }
@@ -59,20 +57,10 @@ impl Group {
 
 impl Walkers {
     pub(crate) fn new(context: &Context, shared: &Shared) -> Result<Self, Error> {
-        let recipe = PipelineRecipe {
-            label: "walker",
-            layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout)],
-            module: &shader_module!(context, "walker"),
-            vertex: "vs_walker",
-            fragment: "fs_walker",
-            buffers: &[Some(SolidBuffers::LAYOUT), Some(FIGURE)],
-            topology: wgpu::PrimitiveTopology::TriangleList,
-            place: Place::Solid,
-        };
-        let casting = PipelineRecipe { layouts: &[Some(&shared.frame_layout)], ..recipe.clone() };
+        let module = shader_module!(context, "walker");
+        let names = ["walker", "vs_walker", "fs_walker"];
         Ok(Self {
-            pipeline: recipe.build(context),
-            shadow: casting.build_shadow(context),
+            pipelines: SolidPipelines::new(context, shared, &module, names, FIGURE),
             walker: Group::new(context, Detail::FINE)?,
             crowd: Group::new(context, Detail::COARSE)?,
         })
@@ -110,13 +98,13 @@ impl Walkers {
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.walker.draw(pass, &self.pipeline);
-        self.crowd.draw(pass, &self.pipeline);
+        self.walker.draw(pass, &self.pipelines.drawn);
+        self.crowd.draw(pass, &self.pipelines.drawn);
     }
 
     pub(crate) fn draw_shadow(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.walker.draw(pass, &self.shadow);
-        self.crowd.draw(pass, &self.shadow);
+        self.walker.draw(pass, &self.pipelines.shadow);
+        self.crowd.draw(pass, &self.pipelines.shadow);
     }
 }
 

@@ -1,0 +1,4 @@
+export const ALWAYS: readonly string[];
+export const WEBGL: readonly string[];
+export const MESA: readonly string[];
+export const WEBGPU: readonly string[];

@@ -1,0 +1,23 @@
+// What a headless Chromium is started with, in tests and benchmarks of the page.
+
+export const ALWAYS = [
+  '--no-sandbox',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+];
+/** Its own rasterizer, the same on every machine. */
+export const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+/** Mesa's takes half the time. */
+export const MESA = ['--use-angle=gl-egl', '--ignore-gpu-blocklist'];
+/** All of them together: any fewer give a blank canvas without an error. */
+export const WEBGPU = [
+  ...WEBGL,
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--enable-features=Vulkan',
+  '--use-vulkan=swiftshader',
+  '--ignore-gpu-blocklist',
+];
