@@ -5,11 +5,11 @@ import { type Collection, collectArchive } from './collection';
 import { isMesh } from './paths';
 import { type Reference, gltfReferences, librariesOf, mapsOf } from './references';
 import type { InputFile } from '../protocol';
-import { t, type Words } from '../texts';
+import { count, t, type Words } from '../texts';
 
 /** Of a mesh and what it refers to. */
 const MOST_BYTES = 2 ** 29;
-export const MOST_FETCHED = '512 MiB';
+export const MOST_FETCHED = t`${MOST_BYTES / 2 ** 20} MiB`;
 /** Files that a mesh may refer to. */
 const MOST_FILES = 1000;
 
@@ -89,7 +89,7 @@ class Fetcher {
   async companions(references: readonly Reference[], base: URL): Promise<InputFile[]> {
     this.#files += references.length;
     if (this.#files > MOST_FILES)
-      throw new Failure(t`it refers to more than ${MOST_FILES} files; download them and drop their folder here`);
+      throw new Failure(t`it refers to more than ${count(MOST_FILES)} files; download them and drop their folder here`);
     const found: InputFile[] = [];
     for (const { uri, path, isNeeded } of references) {
       try {

@@ -6,7 +6,7 @@ import { Cancelled, WorkerLost } from '../solver/remote';
 import type { Places } from '../state/places';
 import { MOST_POINTS, placesOf, type SetShape, type SourceSet } from '../state/sources';
 import { boundaryThrough, componentOf, type Outlined, verticesOfPart } from './outlines';
-import { t } from '../texts';
+import { count, t } from '../texts';
 import { entry } from '../state/entry';
 
 /** A mesh that can be asked. */
@@ -52,7 +52,7 @@ export async function pointsOf(mesh: Mesh, shape: SetShape, given: readonly Sour
 
 export function atVertices(vertices: readonly number[]): Source[] {
   if (vertices.length > MOST_POINTS) {
-    throw new Failure(t`This has ${vertices.length} vertices; up to ${MOST_POINTS} can be sources.`);
+    throw new Failure(t`This has ${count(vertices.length)} vertices; up to ${count(MOST_POINTS)} can be sources.`);
   }
   return vertices.map((vertex) => ({ vertex }));
 }

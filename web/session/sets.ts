@@ -135,8 +135,9 @@ function addWhole(scene: Scene, set: SourceSet): void {
   const { sets } = scene.state;
   const places = sets.reduce((sum, other) => sum + placesOf(other), placesOf(set));
   if (places > MOST_POINTS)
-    throw new Failure(t`With these there are ${places} sources; up to ${MOST_POINTS} are taken.`);
-  if (sets.length >= MOST_SETS) throw new Failure(t`A scene takes ${MOST_SETS} sets of sources; remove one first.`);
+    throw new Failure(t`With these there are ${count(places)} sources; up to ${count(MOST_POINTS)} are taken.`);
+  if (sets.length >= MOST_SETS)
+    throw new Failure(t`A scene takes ${count(MOST_SETS)} sets of sources; remove one first.`);
   addSet(scene, set);
 }
 
@@ -199,7 +200,7 @@ function placedOf(row: Row, { opened, places }: Mesh): Placed {
       throw new Failure(
         isThere
           ? t`${at}: no triangle has vertex ${place.vertex}.`
-          : t`${at}: there is no vertex ${place.vertex}; the mesh has ${inputVertices}, counted from 0.`,
+          : t`${at}: there is no vertex ${place.vertex}; the mesh has ${count(inputVertices)}, counted from 0.`,
       );
     }
     return { row, source: withOffset(place, offset), away: 0 };

@@ -1,4 +1,5 @@
 /** Table 1 of the report on this device: each model in a worker of its own, beside the scene on screen. */
+import { Failure } from '../error';
 import type { MeshInput, OpenedMesh, Parameters, MemoryBudget, Source } from '../protocol';
 import { findPreset } from '../state/presets';
 import { median, type ModelOfReport, parametersOfReport, REPORT, type Row, type Times } from '../state/table1';
@@ -7,6 +8,7 @@ import { inBackground, PLAIN_QUESTION } from './background';
 import type { Wanted } from './client';
 import type { Engine } from './engine';
 import { entry } from '../state/entry';
+import { t } from '../texts';
 
 const BUDGET: MemoryBudget = { windows: 0, memory: AUTOMATIC };
 
@@ -55,7 +57,7 @@ async function timesOf(engine: Engine, parameters: Parameters, count: number): P
   const solves: number[] = [];
   for (const source of sample(engine.opened, count)) {
     const answer = await engine.ask({ ...PLAIN_QUESTION, parameters, sources: [source] });
-    if (!answer?.field) throw new Error('A question was not answered.');
+    if (!answer?.field) throw new Failure(t('The solver gave no distances.'));
     const { buildMs, precomputeMs } = answer.factoring.timings;
     precompute = buildMs + precomputeMs;
     solves.push(answer.field.solveMs);
@@ -66,7 +68,7 @@ async function timesOf(engine: Engine, parameters: Parameters, count: number): P
 function modelOf(model: ModelOfReport['model']): { load: () => Promise<MeshInput>; parts: readonly number[] } {
   if ('shape' in model) return { load: () => Promise.resolve({ kind: 'shape', shape: model.shape }), parts: [] };
   const preset = findPreset(model.preset);
-  if (!preset) throw new Error(`There is no preset "${model.preset}".`);
+  if (!preset) throw new Failure(t`There is no preset ${model.preset}.`);
   return { load: preset.load, parts: preset.start.parts };
 }
 

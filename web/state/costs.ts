@@ -2,7 +2,7 @@
 import { Failure } from '../error';
 import { codeOf, COSTS, WALL } from './ground';
 import { vectorAt } from './vector';
-import { t, type Words } from '../texts';
+import { count, t, type Words } from '../texts';
 import { entry } from './entry';
 
 /**
@@ -23,7 +23,7 @@ export function codesOfRows(name: string, text: string, triangles: number): Uint
       throw new Failure(t`${at}: give a triangle and its cost, such as 12,2.5; or a triangle alone for a wall.`);
     }
     if (!(Number.isInteger(triangle) && triangle >= 0 && triangle < triangles)) {
-      throw new Failure(t`${at}: there is no triangle ${triangle}; the mesh has ${triangles}, counted from 0.`);
+      throw new Failure(t`${at}: there is no triangle ${triangle}; the mesh has ${count(triangles)}, counted from 0.`);
     }
     codes[triangle] = checkedCode(cost, at);
   });

@@ -2,7 +2,7 @@
 import { Failure } from '../error';
 import type { IsolineWish } from '../protocol';
 import { amount, parseAmount } from './text';
-import { t } from '../texts';
+import { count, t } from '../texts';
 
 /** As many as a table has rows for. */
 const MOST = 1000;
@@ -17,7 +17,7 @@ export function parseIsolines(text: string): IsolineWish | null {
   const [spacing] = numbers;
   if (spacing === undefined) return null;
   if (numbers.length > MOST)
-    throw new Failure(t`${numbers.length} values are too many; give at most ${MOST}, or a spacing.`);
+    throw new Failure(t`${count(numbers.length)} values are too many; give at most ${count(MOST)}, or a spacing.`);
   const isList = numbers.length > 1 || /[,;]/.test(text);
   if (!isList && spacing === 0) throw new Failure(t('A spacing of 0 has no end of isolines. Give a larger one.'));
   return isList ? { values: numbers, spacing: 0 } : { values: [], spacing };

@@ -2,7 +2,7 @@
 import { Failure } from '../error';
 import { MOST_POINTS } from './sources';
 import type { Vector } from './vector';
-import { t, type Words } from '../texts';
+import { count, t, type Words } from '../texts';
 
 /** Where a source is to be: at a vertex of the input, or at the place of the surface that is nearest to coordinates. */
 export type RowPlace = { vertex: number } | { coordinates: Vector };
@@ -53,7 +53,7 @@ export function rowsOf(name: string, text: string): Row[] {
   if (named || (rows[0] && rows[0].cells.every((cell) => Number.isNaN(numberIn(cell))))) rows.shift();
   if (rows.length === 0) throw new Failure(t`${name} has no sources. ${FORMS}`);
   if (rows.length > MOST_POINTS) {
-    throw new Failure(t`${name} has ${rows.length} sources; up to ${MOST_POINTS} are taken.`);
+    throw new Failure(t`${name} has ${count(rows.length)} sources; up to ${count(MOST_POINTS)} are taken.`);
   }
   const isOne = rows.length === 1 && !named;
   return rows.map(({ cells, line }) => {

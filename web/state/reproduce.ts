@@ -6,7 +6,7 @@ import { isPainted } from './ground';
 import { triangleOfFile } from './parts';
 import type { SceneState } from './scene';
 import { allSources } from './sources';
-import { t } from '../texts';
+import { count, t } from '../texts';
 
 /** Sources that a command line holds: Windows allows 32,767 characters. */
 const MOST_SOURCES = 2000;
@@ -59,7 +59,9 @@ export function reproducedSources({ state, opened }: Measured, place: keyof type
     throw new Failure(t('Paint, walls and slopes of this page have no lines.'));
   const sources = allSources(state);
   if (sources.length > MOST_SOURCES)
-    throw new Failure(t`${PLACES[place]} has room for ${MOST_SOURCES} sources, and these are ${sources.length}.`);
+    throw new Failure(
+      t`${PLACES[place]} has room for ${count(MOST_SOURCES)} sources, and these are ${count(sources.length)}.`,
+    );
   // The page counts the triangles that were kept, with the corners that they have since.
   const { degenerateFaces, duplicateFaces, flippedFaces } = opened.report;
   const isAsInFile = degenerateFaces + duplicateFaces + flippedFaces === 0;

@@ -473,6 +473,8 @@ export const PAGE: Texts = {
   'area {0}': 'aire {0}',
   '≈ {0}': '≈ {0}',
   '{0} (P)': '{0} (P)',
+  'The solver gave no distances.': 'Le solveur n’a pas donné de distances.',
+  'There is no preset {0}.': 'Il n’y a pas de préréglage {0}.',
   'there is no entry {0} of {1}': 'il n’y a pas d’entrée {0} sur {1}',
 };
 

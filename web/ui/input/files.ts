@@ -4,7 +4,7 @@ import { addressIn } from '../../files/address';
 import { isArchive, isMesh } from '../../files/paths';
 import type { InputFile } from '../../protocol';
 import type { InputFiles } from '../../session/opener';
-import { t } from '../../texts';
+import { count, t } from '../../texts';
 
 /** A folder with more is not the folder of a mesh. */
 const MOST_FILES = 10_000;
@@ -83,5 +83,5 @@ async function childrenOf(folder: FileSystemDirectoryEntry): Promise<FileSystemE
 }
 
 function tooMany(title: string): Error {
-  return new Failure(t`${title} holds more than ${MOST_FILES} files; choose the folder of one mesh`);
+  return new Failure(t`${title} holds more than ${count(MOST_FILES)} files; choose the folder of one mesh`);
 }
