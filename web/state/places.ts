@@ -1,6 +1,6 @@
 /** Where surface points lie on the drawn mesh, and what holds there. */
 import type { DistanceField, DrawPose, OpenedMesh, MeshPoint } from '../protocol';
-import { distance, dot, moved, normalized, type Vector, vectorAt } from './vector';
+import { distance, moved, normalized, type Vector, vectorAt } from './vector';
 import { entry } from './entry';
 
 /** Least and greatest corner of a box. */
@@ -133,9 +133,11 @@ export class Places {
   }
 
   /** The vertex that lies farthest in a direction. */
-  extreme(direction: Vector): MeshPoint {
+  extreme([x, y, z]: Vector): MeshPoint {
     const { surface, inputVertices } = this.#mesh;
-    const drawn = indexOfMax(inputVertices.length, (index) => dot(direction, vectorAt(surface.positions, index)));
+    const at = (index: number) => entry(surface.positions, index);
+    const along = (vertex: number) => x * at(3 * vertex) + y * at(3 * vertex + 1) + z * at(3 * vertex + 2);
+    const drawn = indexOfMax(inputVertices.length, along);
     return { vertex: entry(inputVertices, drawn) };
   }
 
@@ -178,14 +180,19 @@ function blend(values: Float32Array, corners: readonly number[], weights: readon
 
 /** Least and greatest corner of the box around points. */
 export function boxAround(positions: Float32Array): Box {
-  let [low, high]: Box = [
-    [Infinity, Infinity, Infinity],
-    [-Infinity, -Infinity, -Infinity],
+  const [x, y, z] = [rangeOf(positions, 0), rangeOf(positions, 1), rangeOf(positions, 2)];
+  return [
+    [x.least, y.least, z.least],
+    [x.most, y.most, z.most],
   ];
-  for (let index = 0; 3 * index < positions.length; index++) {
-    const [x, y, z] = vectorAt(positions, index);
-    low = [Math.min(low[0], x), Math.min(low[1], y), Math.min(low[2], z)];
-    high = [Math.max(high[0], x), Math.max(high[1], y), Math.max(high[2], z)];
+}
+
+function rangeOf(positions: Float32Array, axis: number): { least: number; most: number } {
+  let [least, most] = [Infinity, -Infinity];
+  for (let i = axis; i < positions.length; i += 3) {
+    const value = entry(positions, i);
+    least = Math.min(least, value);
+    most = Math.max(most, value);
   }
-  return [low, high];
+  return { least, most };
 }
