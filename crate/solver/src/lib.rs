@@ -100,7 +100,7 @@ pub use path::{Enclosed, PathSearch, Straightest, descend, enclosed, refract, st
 pub use progress::{Progress, Stage, Step, Steps};
 pub use propagation::{Carriers, ExactSearch, Propagation, PropagationOptions, Windows};
 pub use refinement::PropagationRefinement;
-pub use solver::{Answer, DistanceOptions, DistanceSolver};
+pub use solver::{Answer, DistanceOptions, DistanceSolver, Joined, Solution};
 
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]

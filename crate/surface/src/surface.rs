@@ -378,7 +378,7 @@ impl Surface {
         let degree = |vertex| self.corners.row(vertex).len();
         let [start, end] = if degree(a) <= degree(b) { [a, b] } else { [b, a] };
         let mut sides = self.corners.row(start).iter().flat_map(|&corner| [corner, corner.previous_in_triangle()]);
-        sides.find(|&side| self.ends(side).contains(&end))
+        sides.find(|&side| start != end && self.ends(side).contains(&end))
     }
 
     /// The faces that have an edge, over all copies, ascending: one on a boundary, more than two where not manifold.
