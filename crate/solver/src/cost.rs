@@ -133,7 +133,8 @@ impl Costs {
 
     /// The geometric mean of all faces' costs.
     pub fn mean(&self) -> f64 {
-        (self.of_face.iter().map(|cost| cost.ln()).sum::<f64>() / self.of_face.len() as f64).exp()
+        let logarithms = || self.of_face.iter().map(|cost| cost.ln()).sum::<f64>();
+        self.constant.unwrap_or_else(|| (logarithms() / self.of_face.len() as f64).exp())
     }
 
     /// The cost of a path on the surface: the sum of the lengths of its segments, each times the cost of the face that it

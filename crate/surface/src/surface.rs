@@ -290,6 +290,14 @@ impl Surface {
         self.vertex_of_input.get(vertex).copied().flatten()
     }
 
+    /// The same where there has to be one.
+    ///
+    /// # Errors
+    /// [`Error::UnreferencedVertex`].
+    pub fn require_vertex(&self, vertex: InputVertex) -> Result<VertexId> {
+        self.vertex_of_input(vertex).ok_or(Error::UnreferencedVertex { vertex: vertex.index() })
+    }
+
     /// Of every input vertex the welded vertex that it became; `None` where no kept face uses it.
     pub fn vertices_of_inputs(&self) -> &InputVertexData<Option<VertexId>> {
         &self.vertex_of_input

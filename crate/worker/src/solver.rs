@@ -13,9 +13,9 @@ use std::sync::Arc;
 
 use heatwalk::{
     DistanceOptions, DistanceSolver, EdgeKind, FaceField, HeatSolver, Method, Parameters, Path, PathSearch, Step,
-    Surface, VertexData, Windows,
+    Surface, Windows,
 };
-use heatwalk_bindings::{Failure, Result, parameters};
+use heatwalk_bindings::{Failure, Result, logarithms, parameters};
 use heatwalk_scene::{Crowd, Posing, overlay};
 use js_sys::{Array, Function, Object};
 use wasm_bindgen::prelude::*;
@@ -308,9 +308,7 @@ impl Solver {
     /// `#D`: log10 of the last field's heat over its maximum, −∞ where there is none.
     pub fn heat(&self) -> Result<Vec<f32>> {
         let heat = self.solved()?.distance().heat()?;
-        let max = heat.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let logarithms: VertexData<f64> = heat.iter().map(|&value| (value.max(0.0) / max).log10()).collect();
-        Ok(self.drawn.spread(&logarithms))
+        Ok(self.drawn.spread(&logarithms(heat.as_slice()).collect()))
     }
 
     /// Changes the number of walkers; 0 sends all away. `height`: of those who set out, in bounding radii of the surface.
@@ -347,12 +345,11 @@ pub(crate) fn go_on(_: Step) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// Passes the stages of factoring on to the page. What the page does with them is no reason to stop.
+/// Passes the stages of factoring on to the page.
 pub(crate) fn reporter(progress: &Function) -> impl FnMut(Step) -> ControlFlow<()> {
-    move |step| {
-        if let Step::Precompute(stage, fraction) = step {
-            let _ = progress.call2(&JsValue::NULL, &stage.to_string().into(), &fraction.into());
-        }
-        ControlFlow::Continue(())
+    let mut report = heatwalk_bindings::reporter(progress);
+    move |step| match step {
+        Step::Precompute(stage, fraction) => report(stage, fraction),
+        _ => ControlFlow::Continue(()),
     }
 }
