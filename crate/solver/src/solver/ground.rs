@@ -68,13 +68,11 @@ impl DistanceSolver {
         self.joined.links_to_reach_more(&components)
     }
 
-    /// Parts the surface at these walls, and at no others, in the pose of the whole one. What was found before is of another surface
-    /// then, unless there were and are no walls.
+    /// Parts the surface at these walls, and at no others, in the pose of the whole one. [`Self::surface`] is another one then, on which no
+    /// earlier answer holds, unless there were and are no walls. Costs stay: faces keep their numbers.
     ///
     /// # Errors
     /// As [`Surface::walled`]; then nothing is changed.
-    ///
-    /// [`Self::surface`] is the one to ask then. Costs stay: faces keep their numbers.
     pub fn set_walls(&mut self, walls: &Walls) -> Result<()> {
         let whole = &self.whole;
         let parted = if walls.is_empty() { Arc::clone(whole) } else { Arc::new(whole.walled(walls)?) };
@@ -91,11 +89,8 @@ impl DistanceSolver {
         if let Some(costs) = &costs {
             assert_eq!(costs.of_faces().len(), self.surface.face_count(), "one cost a face");
         }
-        if self.costs.is_none() {
-            self.plain = self.plain.take().or(self.geometry.take());
-        }
-        self.costs = costs;
         self.forget();
+        self.costs = costs;
     }
 
     /// What a unit of length costs, where that is not 1 everywhere.
@@ -127,13 +122,14 @@ impl DistanceSolver {
 
     fn measure_on(&mut self, surface: Arc<Surface>) {
         self.surface = surface;
-        self.plain = None;
         self.forget();
+        self.plain = None;
     }
 
-    /// Forgets what is of other costs or bridges.
+    /// Forgets what is of other costs or bridges, before either changes.
     fn forget(&mut self) {
-        self.geometry = None;
+        let geometry = self.geometry.take().filter(|_| self.costs.is_none());
+        self.plain = self.plain.take().or(geometry);
         self.searches.clear();
     }
 

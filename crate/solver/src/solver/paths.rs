@@ -35,7 +35,7 @@ impl DistanceSolver {
     pub fn path_between(&mut self, from: SurfacePoint, to: SurfacePoint, progress: Steps<'_>) -> Result<Path> {
         let windows = if self.several_costs().is_some() { REFRACTED } else { Windows::default() };
         let options = DistanceOptions { windows, ..DistanceOptions::by(Method::Propagation) };
-        let answer = self.distance(&[to], &options, progress)?;
+        let answer = self.distance(&[Source::from(to)], &options, progress)?;
         self.path(&answer, from, PathKind::Straightened)
     }
 
