@@ -10,9 +10,7 @@ use anyhow::{Context, Result, anyhow, bail, ensure};
 use clap::{Args, ValueEnum};
 use glam::DVec3;
 use heatwalk::io::text;
-use heatwalk::{
-    Costs, DistanceSolver, Element, FaceData, InputTriangle, InputVertex, Soup, Surface, Up, Walls, tobler,
-};
+use heatwalk::{Costs, DistanceSolver, FaceData, InputTriangle, InputVertex, Soup, Surface, Up, Walls, tobler};
 use heatwalk_volume::{TetMesh, TetSoup};
 
 /// Ground of different difficulty.
