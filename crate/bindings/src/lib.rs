@@ -6,6 +6,9 @@
 mod failure;
 mod parameters;
 
+use std::ops::ControlFlow;
+
+use heatwalk::Stage;
 use js_sys::{Function, Reflect, Uint8Array};
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -18,6 +21,20 @@ pub fn resources(function: &Function) -> impl Fn(&str) -> Option<Vec<u8>> {
         let found = function.call1(&JsValue::NULL, &uri.into()).ok()?;
         Some(found.dyn_into::<Uint8Array>().ok()?.to_vec())
     }
+}
+
+/// Passes the stages of factoring on to the page. What the page does with them is no reason to stop.
+pub fn reporter(progress: &Function) -> impl FnMut(Stage, f64) -> ControlFlow<()> {
+    move |stage, fraction| {
+        let _ = progress.call2(&JsValue::NULL, &stage.to_string().into(), &fraction.into());
+        ControlFlow::Continue(())
+    }
+}
+
+/// log10 of heat over its maximum, −∞ where there is none.
+pub fn logarithms(heat: &[f64]) -> impl Iterator<Item = f64> {
+    let max = heat.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+    heat.iter().map(move |&value| (value.max(0.0) / max).log10())
 }
 
 /// A property of an object that is a number.

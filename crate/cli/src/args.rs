@@ -269,6 +269,7 @@ impl Question {
             windows: self.methods.windows.unwrap_or_default(),
             max_distance: self.max_distance.unwrap_or(f64::INFINITY),
             heat: self.options.parameters(self.linear.solver.unwrap_or_default(), self.multi.unwrap_or_default()),
+            ..DistanceOptions::default()
         })
     }
 }

@@ -1,6 +1,9 @@
 //! The commands. Each returns what it has to say.
 
+use std::sync::Arc;
+
 use anyhow::Result;
+use heatwalk::DistanceSolver;
 use serde_json::json;
 
 use crate::answer::Answer;
@@ -36,13 +39,14 @@ fn info(arguments: &Info) -> Result<String> {
     report.push_surface(surface.report());
     report.push_unit(input.unit);
     report.push_warnings(&input.file.warnings);
-    let joined = join(&surface, &arguments.bridging, arguments.mesh.threads());
-    report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
+    let mut solver = DistanceSolver::on_threads(Arc::clone(&surface), arguments.mesh.threads());
+    let join_ms = join(&mut solver, &arguments.bridging)?;
+    report.push_joined(solver.joined());
     report.push_build(surface.report());
     report.push("mean_edge", surface.mean_edge());
     report.push_parts(&input.file);
     report.push_animations(&input.file);
     report.push("missing", input.file.appearance.missing.clone());
-    report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "join": joined.join_ms }));
+    report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "join": join_ms }));
     Ok(report.render(arguments.mesh.json))
 }

@@ -64,7 +64,7 @@ fn together(
         report.push("timed_sources", numbers(solver.surface(), &vertices));
         solve_ms = median_solve_ms(&vertices, |source| Ok(solver.distance(&[source], options, &mut go_on)?))?;
     }
-    let values = solver.surface().to_inputs(&answer.distance.values, f64::INFINITY);
+    let values = solver.of_inputs(&answer);
     for (name, value) in facts(&answer, &values, options) {
         report.push(name, value);
     }
@@ -86,9 +86,7 @@ fn each(
     let start = Instant::now();
     let answers = solver.distances_from_each(sources, options, threads, &mut go_on)?;
     let solve_ms = milliseconds(start);
-    let columns = |(number, answer): (usize, &Answer)| {
-        (format!("distance_{number}"), solver.surface().to_inputs(&answer.distance.values, f64::INFINITY))
-    };
+    let columns = |(number, answer): (usize, &Answer)| (format!("distance_{number}"), solver.of_inputs(answer));
     let columns: Columns = answers.iter().enumerate().map(columns).collect();
     let object = |(answer, (_, values)): (&Answer, &(String, Vec<f64>))| {
         let facts = facts(answer, values, options).into_iter();

@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 use std::fs;
-use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::Arc;
@@ -11,10 +10,7 @@ use anyhow::{Context, Result, anyhow, bail, ensure};
 use clap::{Args, ValueEnum};
 use glam::DVec3;
 use heatwalk::io::text;
-use heatwalk::{
-    Bridges, Costs, DistanceSolver, Element, FaceData, FaceId, HalfedgeId, InputTriangle, InputVertex, Soup, Surface,
-    Up, Walls, tobler,
-};
+use heatwalk::{Costs, DistanceSolver, FaceData, InputTriangle, InputVertex, Soup, Surface, Up, Walls, tobler};
 use heatwalk_volume::{TetMesh, TetSoup};
 
 /// Ground of different difficulty.
@@ -63,26 +59,27 @@ const COLOR: &str = "COLOR";
 const COST_OF_BLACK: f64 = 10.0;
 
 impl Ground {
-    /// What these mean on a surface.
-    pub fn on(&self, soup: &Soup, surface: &Arc<Surface>, up: Up) -> Result<Walkable> {
-        let walled = match &self.walls {
-            Some(path) => Arc::new(surface.walled(&walls(path, soup, surface)?)?),
-            None => Arc::clone(surface),
-        };
+    /// Puts these on a solver's surface.
+    pub fn lay(&self, solver: &mut DistanceSolver, soup: &Soup, up: Up) -> Result<()> {
+        let surface = Arc::clone(solver.whole());
+        if let Some(path) = &self.walls {
+            solver.set_walls(&walls(path, soup, &surface)?)?;
+        }
         let weights = match &self.weights {
-            Some(Weights::File(path)) => Some(of_file(path, soup, surface)?),
-            Some(Weights::Attribute(name)) => Some(of_attribute(name, soup, surface)?),
+            Some(Weights::File(path)) => Some(of_file(path, soup, &surface)?),
+            Some(Weights::Attribute(name)) => Some(of_attribute(name, soup, &surface)?),
             None => None,
         };
-        let slope = self.slope_cost.map(|SlopeCost::Tobler| Costs::of_slope(surface, axis(up), tobler)).transpose()?;
+        let slope = self.slope_cost.map(|SlopeCost::Tobler| Costs::of_slope(&surface, axis(up), tobler)).transpose()?;
         let costs = match (weights, slope) {
             (Some(weights), Some(slope)) => {
                 let product = weights.of_faces().iter().zip(slope.of_faces()).map(|(weight, slope)| weight * slope);
-                Some(Costs::new(surface, product.collect())?)
+                Some(Costs::new(&surface, product.collect())?)
             }
             (weights, slope) => weights.or(slope),
         };
-        Ok(Walkable { surface: walled, costs })
+        solver.set_costs(costs);
+        Ok(())
     }
 }
 
@@ -115,24 +112,6 @@ impl Ground {
             }
         }
         Ok(Some(costs))
-    }
-}
-
-/// Where one can walk, and at what cost.
-pub struct Walkable {
-    /// Parted at the walls.
-    pub surface: Arc<Surface>,
-    costs: Option<Costs>,
-}
-
-impl Walkable {
-    /// Its solver, where bridges join the components of the surface without walls.
-    pub fn solver(&self, before: &Arc<Surface>, bridges: Bridges, threads: NonZeroUsize) -> DistanceSolver {
-        let bridges =
-            if Arc::ptr_eq(before, &self.surface) { bridges } else { bridges.across_walls(before, &self.surface) };
-        let mut solver = DistanceSolver::on_threads(Arc::clone(&self.surface), threads).bridged(bridges);
-        solver.set_costs(self.costs.clone());
-        solver
     }
 }
 
@@ -242,7 +221,6 @@ fn of_attribute(name: &str, soup: &Soup, surface: &Surface) -> Result<Costs> {
 
 fn walls(path: &Path, soup: &Soup, surface: &Surface) -> Result<Walls> {
     let mut walls = Walls::default();
-    let mut edges: Option<HashMap<[u32; 2], HalfedgeId>> = None;
     for (line, row) in rows(path)? {
         let at = (path, line);
         match *row.as_slice() {
@@ -251,17 +229,13 @@ fn walls(path: &Path, soup: &Soup, surface: &Surface) -> Result<Walls> {
                 walls.faces.extend(surface.face_of_triangle(InputTriangle(triangle)));
             }
             [a, b] => {
-                let mut ends = [a, b];
-                let mut vertices = [0; 2];
-                for (end, vertex) in ends.iter_mut().zip(&mut vertices) {
-                    let input = number(*end, soup.positions.len(), "vertex", at)?;
-                    let welded = surface.vertex_of_input(InputVertex(input));
-                    *vertex = welded.map_or(u32::MAX, |welded| welded.0);
-                }
-                vertices.sort_unstable();
-                let edges = edges.get_or_insert_with(|| halfedges(surface));
-                match edges.get(&vertices) {
-                    Some(&halfedge) => walls.edges.push(halfedge),
+                let vertex = |end| {
+                    let input = number(end, soup.positions.len(), "vertex", at)?;
+                    Ok::<_, anyhow::Error>(surface.vertex_of_input(InputVertex(input)))
+                };
+                let ends = vertex(a)?.zip(vertex(b)?);
+                match ends.and_then(|(a, b)| surface.halfedge_between(a, b)) {
+                    Some(halfedge) => walls.edges.push(halfedge),
                     None => bail!("{}, line {line}: no edge joins the vertices {a} and {b}", path.display()),
                 }
             }
@@ -269,16 +243,4 @@ fn walls(path: &Path, soup: &Soup, surface: &Surface) -> Result<Walls> {
         }
     }
     Ok(walls)
-}
-
-/// A half-edge of each edge, by its vertices in ascending order.
-fn halfedges(surface: &Surface) -> HashMap<[u32; 2], HalfedgeId> {
-    let sides = (0..surface.face_count()).flat_map(|face| [0, 1, 2].map(|k| FaceId::from_index(face).halfedge(k)));
-    sides
-        .map(|halfedge| {
-            let mut ends = surface.ends(halfedge).map(|vertex| vertex.0);
-            ends.sort_unstable();
-            (ends, halfedge)
-        })
-        .collect()
 }

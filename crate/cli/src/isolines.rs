@@ -44,7 +44,7 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
         output.save(&bytes(output.format, &isolines, &field, &levels, arguments)?)?;
     }
 
-    let values = surface.to_inputs(&answer.distance.values, f64::INFINITY);
+    let values = prepared.solver.of_inputs(&answer);
     for (name, value) in facts(&answer, &values, &options) {
         report.push(name, value);
     }

@@ -4,17 +4,15 @@ use std::time::Instant;
 
 use anyhow::Result;
 use heatwalk::exact::shortest_path;
-use heatwalk::{
-    Answer, Choice, Costs, DistanceOptions, DistanceSolver, HeatSolver, Method, Place, SurfacePoint, descend, refract,
-    straighten,
-};
+use heatwalk::{Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, PathKind, Place, SurfacePoint};
 use serde_json::json;
 
 use crate::args::Path;
 use crate::input::Input;
 use crate::output::Output;
-use crate::report::{Report, milliseconds};
-use crate::timing::{build, go_on, join, prepare};
+use crate::question::walkable;
+use crate::report::milliseconds;
+use crate::timing::{go_on, prepare};
 use crate::volume;
 
 /// A path, the distance that belongs to it, and what they took.
@@ -37,18 +35,10 @@ pub fn path(arguments: &Path) -> Result<String> {
     let input = Input::of(&arguments.mesh)?;
     arguments.from.check(&input.soup)?;
     arguments.to.check(&input.soup)?;
-    let (surface, built_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
-    let ground = arguments.ground.on(&input.soup, &surface, arguments.up)?;
-    let from = arguments.from.on(&input.soup, &ground.surface)?;
-    let to = arguments.to.on(&input.soup, &ground.surface)?;
-    let joined = join(&surface, &arguments.bridging, arguments.mesh.threads());
-    let mut report = Report::default();
-    report.push_surface(surface.report());
-    report.push_unit(input.unit);
-    report.push_warnings(&input.file.warnings);
-    report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
-    let build_ms = built_ms + joined.join_ms;
-    let solver = ground.solver(&surface, joined.bridges, arguments.mesh.threads());
+    let (solver, mut report, build_ms) =
+        walkable(&input, &arguments.mesh, &arguments.bridging, (&arguments.ground, arguments.up))?;
+    let from = arguments.from.on(&input.soup, solver.surface())?;
+    let to = arguments.to.on(&input.soup, solver.surface())?;
     let mut prepared = prepare((solver, build_ms), &options)?;
     let found = if arguments.exact {
         exactly(&mut prepared.solver, from, to)?
@@ -64,8 +54,8 @@ pub fn path(arguments: &Path) -> Result<String> {
     report.push("distance", found.distance);
     report.push("distance_interpolated", found.is_interpolated);
     report.push("length", found.path.length());
-    if let Some(costs) = prepared.solver.costs() {
-        report.push("cost", costs.of_path(prepared.solver.surface(), &found.path));
+    if prepared.solver.costs().is_some() {
+        report.push("cost", cost(&prepared.solver, &found.path));
     }
     report.push("points", points);
     report.push(
@@ -85,28 +75,22 @@ fn by_descent(
     (arguments, options): (&Path, &DistanceOptions),
 ) -> Result<Found> {
     let start = Instant::now();
-    let Answer { distance, method, .. } = solver.distance(&[to], options, &mut go_on)?;
-    if method == Method::Exact {
+    let answer = solver.distance(&[to], options, &mut go_on)?;
+    if answer.method == Method::Exact {
         // Values of vertices are exact, what lies between them is not.
         return exactly(solver, from, to);
     }
     let solve_ms = milliseconds(start);
     let start = Instant::now();
-    let surface = solver.surface();
-    let mut path = descend(surface, &distance, from)?;
-    if arguments.straighten {
-        path = match solver.costs() {
-            Some(costs) => refract(surface, costs, &path)?,
-            None => straighten(surface, &path)?,
-        };
-    }
-    let length = solver.costs().map_or_else(|| path.length(), |costs| costs.of_path(surface, &path));
-    let interpolated = distance.at(surface, from)?;
+    let kind = if arguments.straighten { PathKind::Straightened } else { PathKind::Descent };
+    let path = solver.path(&answer, from, kind)?;
+    let length = cost(solver, &path);
+    let interpolated = answer.distance.at(solver.surface(), from)?;
     // In the face of the source, and near it, values of corners tell nothing of what is between; the path does.
     let is_at_vertex = matches!(from.place(), Place::Vertex(_));
     let distance = if is_at_vertex { interpolated } else { interpolated.min(length) };
     let is_interpolated = !is_at_vertex && distance < length;
-    Ok(Found { path, distance, is_interpolated, method, solve_ms, path_ms: milliseconds(start) })
+    Ok(Found { path, distance, is_interpolated, method: answer.method, solve_ms, path_ms: milliseconds(start) })
 }
 
 fn exactly(solver: &mut DistanceSolver, from: SurfacePoint, to: SurfacePoint) -> Result<Found> {
@@ -114,7 +98,11 @@ fn exactly(solver: &mut DistanceSolver, from: SurfacePoint, to: SurfacePoint) ->
     let path = shortest_path(solver.exact_geometry(), from, &[to])?;
     // One search gives distance and path.
     let solve_ms = milliseconds(start);
-    let cost = solver.costs().and_then(Costs::constant).unwrap_or(1.0);
-    let distance = cost * path.length();
+    let distance = cost(solver, &path);
     Ok(Found { path, distance, is_interpolated: false, method: Method::Exact, solve_ms, path_ms: 0.0 })
+}
+
+/// Of a path: its length where all cost 1.
+fn cost(solver: &DistanceSolver, path: &heatwalk::Path) -> f64 {
+    solver.costs().map_or_else(|| path.length(), |costs| costs.of_path(solver.surface(), path))
 }

@@ -99,7 +99,7 @@ impl Place {
     pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<SurfacePoint> {
         match *self {
             Self::Tetrahedron { .. } => self.check(soup).and_then(|()| bail!("a surface has no tetrahedra")),
-            Self::Vertex(vertex) => Ok(surface.point(welded_vertex(surface, vertex)?)?),
+            Self::Vertex(vertex) => Ok(surface.point(InputVertex::from_index(vertex))?),
             Self::Triangle { triangle, weights } => {
                 let Some(face) = surface.face_of_triangle(InputTriangle::from_index(triangle)) else {
                     ensure!(
@@ -144,7 +144,8 @@ impl Line {
 
     /// A source at each vertex along the line.
     pub fn on(&self, surface: &Surface, closed: bool) -> Result<Vec<Source>> {
-        let through = self.0.iter().map(|&vertex| welded_vertex(surface, vertex)).collect::<Result<Vec<_>>>()?;
+        let through = self.0.iter().map(|&vertex| surface.require_vertex(InputVertex::from_index(vertex)));
+        let through: Vec<VertexId> = through.collect::<Result<_, _>>()?;
         let vertices = edge_polyline(surface, &through, closed).with_context(|| format!("line {:?}", self.0))?;
         vertices.into_iter().map(|vertex| Ok(surface.source(vertex, 0.0)?)).collect()
     }
@@ -153,10 +154,4 @@ impl Line {
     pub fn vertices(&self) -> &[usize] {
         &self.0
     }
-}
-
-/// What became of a vertex of the file.
-fn welded_vertex(surface: &Surface, vertex: usize) -> Result<VertexId> {
-    let welded = surface.vertex_of_input(InputVertex::from_index(vertex));
-    welded.ok_or_else(|| SurfaceError::UnreferencedVertex { vertex }.into())
 }

@@ -1,9 +1,10 @@
 //! From the command line to a solver that can be asked for distances on a surface.
 
 use anyhow::Result;
-use heatwalk::{DistanceOptions, Source, Up};
+use heatwalk::{DistanceOptions, DistanceSolver, Source, Up};
 
-use crate::args::Question;
+use crate::args::{Bridging, Mesh, Question};
+use crate::ground::Ground;
 use crate::input::Input;
 use crate::report::Report;
 use crate::timing::{Prepared, build, join, prepare};
@@ -22,22 +23,33 @@ pub fn pose(question: &Question, up: Up, options: &DistanceOptions) -> Result<Po
     let input = Input::of(&question.mesh)?;
     question.sources.iter().try_for_each(|source| source.place.check(&input.soup))?;
     question.lines.iter().try_for_each(|line| line.check(&input.soup))?;
-    let threads = question.mesh.threads();
-    let (surface, built_ms) = build(&input, question.mesh.weld, threads)?;
-    let ground = question.ground.on(&input.soup, &surface, up)?;
+    let (solver, report, build_ms) = walkable(&input, &question.mesh, &question.bridging, (&question.ground, up))?;
     let mut sources =
-        question.sources.iter().map(|source| source.on(&input.soup, &ground.surface)).collect::<Result<Vec<_>>>()?;
+        question.sources.iter().map(|source| source.on(&input.soup, solver.surface())).collect::<Result<Vec<_>>>()?;
     for line in &question.lines {
-        sources.extend(line.on(&ground.surface, question.closed)?);
+        sources.extend(line.on(solver.surface(), question.closed)?);
     }
-    let mut report = Report::default();
-    let joined = join(&surface, &question.bridging, threads);
-    report.push_surface(surface.report());
-    report.push_unit(input.unit);
-    report.push_warnings(&input.file.warnings);
-    report.push_bridges(&joined.bridges, joined.contacts, &joined.links);
-    let build_ms = built_ms + joined.join_ms;
-    let solver = ground.solver(&surface, joined.bridges, threads);
     let prepared = prepare((solver, build_ms), options)?;
     Ok(Posed { input, sources, prepared, report })
+}
+
+/// The solver of a surface with its bridges, walls and costs, what is to be told of it, and the milliseconds that it took. `ground` is
+/// measured against this axis of the file.
+pub fn walkable(
+    input: &Input,
+    mesh: &Mesh,
+    bridging: &Bridging,
+    (ground, up): (&Ground, Up),
+) -> Result<(DistanceSolver, Report, f64)> {
+    let threads = mesh.threads();
+    let (surface, built_ms) = build(input, mesh.weld, threads)?;
+    let mut solver = DistanceSolver::on_threads(surface, threads);
+    ground.lay(&mut solver, &input.soup, up)?;
+    let join_ms = join(&mut solver, bridging)?;
+    let mut report = Report::default();
+    report.push_surface(solver.whole().report());
+    report.push_unit(input.unit);
+    report.push_warnings(&input.file.warnings);
+    report.push_joined(solver.joined());
+    Ok((solver, report, built_ms + join_ms))
 }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::time::Instant;
 
 use heatwalk::surface::motion::Clip;
-use heatwalk::{Bridges, BuildReport, LengthUnit, Link, Soup, Stage, Unit, Warning};
+use heatwalk::{BuildReport, Joined, LengthUnit, Link, Soup, Stage, Unit, Warning};
 use serde_json::{Map, Value, json};
 
 pub fn milliseconds(start: Instant) -> f64 {
@@ -44,15 +44,16 @@ impl Report {
         self.push("warnings", warnings.iter().map(warning).collect::<Vec<_>>());
     }
 
-    /// What joins components: with `links` of them, groups that stay apart otherwise.
-    pub fn push_bridges(&mut self, bridges: &Bridges, contacts: usize, links: &[Link]) {
+    /// What joins components.
+    pub fn push_joined(&mut self, joined: &Joined) {
+        let bridges = joined.bridges();
         self.push("groups", bridges.group_count());
-        self.push("contacts", contacts);
+        self.push("contacts", joined.contact_count());
         self.push("contacts_complete", bridges.is_complete());
         self.push("crack_portals", bridges.across_cracks().count());
         self.push("crack_gap", bridges.crack_width());
         let link = |link: &Link| json!({ "components": link.components, "gap": link.gap });
-        self.push("links", links.iter().map(link).collect::<Vec<_>>());
+        self.push("links", joined.linked().iter().map(link).collect::<Vec<_>>());
     }
 
     /// What building found and did.

@@ -7,9 +7,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{
-    Bridges, DistanceOptions, DistanceSolver, Element, Link, Method, Stage, Step, Surface, VertexId, WeldRule,
-};
+use heatwalk::{Bridges, DistanceOptions, DistanceSolver, Element, Method, Stage, Step, Surface, VertexId, WeldRule};
 
 use crate::args::Bridging;
 use crate::complaint::complain;
@@ -22,31 +20,16 @@ pub fn build(input: &Input, weld: WeldRule, threads: NonZeroUsize) -> Result<(Ar
     Ok((Arc::new(surface), milliseconds(start)))
 }
 
-/// What joins the components of a surface.
-pub struct Joined {
-    pub bridges: Bridges,
-    /// Pairs of components that meet, without those that are linked.
-    pub contacts: usize,
-    /// Those of the bridges that link groups.
-    pub links: Vec<Link>,
-    pub join_ms: f64,
-}
-
-/// Finds what joins the components of a surface.
-pub fn join(surface: &Surface, bridging: &Bridging, threads: NonZeroUsize) -> Joined {
+/// Finds what joins the components of a solver's surface, and gives the milliseconds that it took.
+pub fn join(solver: &mut DistanceSolver, bridging: &Bridging) -> Result<f64> {
     let start = Instant::now();
-    let mut bridges = Bridges::find_on_threads(surface, bridging.rule, threads);
-    let contacts = bridges.contacts().len();
-    let mut links = Vec::new();
-    if bridging.links > 0 {
-        links = bridges.links(surface);
-        links.truncate(bridging.links);
-        bridges = bridges.linked(surface, &links);
-    }
-    for warning in warnings(&bridges) {
+    let whole = Arc::clone(solver.whole());
+    solver.join(&whole, bridging.rule, bridging.links)?;
+    let join_ms = milliseconds(start);
+    for warning in warnings(solver.joined().bridges()) {
         complain(&format!("warning: {warning}"));
     }
-    Joined { bridges, contacts, links, join_ms: milliseconds(start) }
+    Ok(join_ms)
 }
 
 /// What may be otherwise than the surface is meant.

@@ -1,11 +1,10 @@
 //! Questions about distance and paths inside, and their answers.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::{EdgeKind, ExactRadius, FaceField, MemoryLimit, Stage};
-use heatwalk_bindings::{Failure, Result, parameters};
+use heatwalk::{EdgeKind, FaceField, MemoryLimit};
+use heatwalk_bindings::{Failure, Result, logarithms, parameters, reporter};
 use heatwalk_volume::crowd::VolumePose;
 use heatwalk_volume::io::write;
 use heatwalk_volume::{TetMesh, VolumeCrowd, VolumeDistance, VolumeMethod, VolumeOptions, VolumeSolver};
@@ -15,9 +14,6 @@ use wasm_bindgen::prelude::*;
 use crate::drawn::Drawn;
 use crate::results::{InnerField, InnerPath};
 use crate::view::InnerView;
-
-/// Mean edges around the sources that are marched ahead of heat while something is dragged.
-const QUICK_EDGES: f64 = 3.0;
 
 /// Most memory of factors where no limit is given. In three dimensions more take half a minute and longer, and what the work on
 /// them leaves free in between need not hold the last of them even below 4 GiB.
@@ -85,12 +81,7 @@ impl InnerSolver {
         }
         let by_heat = VolumeOptions { method: VolumeMethod::Heat, ..self.options };
         self.distance = None;
-        self.solver.prepare(&by_heat, &mut |stage: Stage, fraction: f64| {
-            // What the page does with it is no reason to stop.
-            let _ = progress.call2(&JsValue::NULL, &stage.to_string().into(), &fraction.into());
-            ControlFlow::Continue(())
-        })?;
-        Ok(())
+        Ok(self.solver.prepare(&by_heat, &mut reporter(progress))?)
     }
 
     /// Stored entries of all factors together; 0 where nothing is factored.
@@ -104,13 +95,8 @@ impl InnerSolver {
         #[wasm_bindgen(unchecked_param_type = "readonly object[]")] sources: &Array,
         quick: bool,
     ) -> Result<InnerField> {
-        let mut options = VolumeOptions { method: VolumeMethod::Heat, ..self.options };
-        options.heat.exact_radius = match options.heat.exact_radius {
-            radius if !quick => radius,
-            ExactRadius::Edges(edges) => ExactRadius::Edges(edges.min(QUICK_EDGES)),
-            ExactRadius::Automatic => ExactRadius::Edges(QUICK_EDGES),
-        };
-        self.answer(sources, &options)
+        let options = VolumeOptions { method: VolumeMethod::Heat, ..self.options };
+        self.answer(sources, &if quick { options.quick() } else { options })
     }
 
     /// Distance to the nearest of `sources` by the march of waves. Needs no factors.
@@ -176,9 +162,7 @@ impl InnerSolver {
     /// `#D`: log10 of the last field's heat over its maximum, −∞ where there is none.
     pub fn heat(&self) -> Result<Vec<f32>> {
         let heat = self.solved()?.heat().ok_or(heatwalk::Error::NoHeat)?;
-        let max = heat.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let logarithms: Vec<f64> = heat.iter().map(|&value| (value.max(0.0) / max).log10()).collect();
-        Ok(self.drawn.spread(&logarithms))
+        Ok(self.drawn.spread(&logarithms(heat).collect::<Vec<_>>()))
     }
 
     /// `#E × 2 × 3`: ends of the edges of the boundary for "mesh", as they are drawn; of other kinds there are none.

@@ -14,12 +14,12 @@ use crate::distance::{Distance, PlaceKey, PortalCrossing, key};
 use crate::error::Result;
 use crate::exact::ExactGeometry;
 use crate::propagation::{Propagation, PropagationOptions, REFRACTED, Windows};
-use heatwalk_surface::{Place, Source, ToSource, VertexId};
+use heatwalk_surface::{Place, Source, VertexId};
 
 /// Sources, and after them the corners of the faces by which paths from these enter other components, as sources with an
 /// initial distance.
-#[derive(Debug, Clone)]
-pub struct CarriedSources {
+#[derive(Debug)]
+pub(crate) struct CarriedSources {
     sources: Vec<Source>,
     /// How many of them were given.
     given: usize,
@@ -31,11 +31,9 @@ impl CarriedSources {
     ///
     /// # Errors
     /// Those of [`Propagation::new`].
-    pub fn new<S: ToSource>(geometry: &Arc<ExactGeometry>, sources: &[S]) -> Result<Self> {
+    pub fn new(geometry: &Arc<ExactGeometry>, sources: &[Source]) -> Result<Self> {
         let surface = geometry.surface();
-        let mut carried =
-            sources.iter().map(|source| Ok(source.to_source(surface)?)).collect::<Result<Vec<Source>>>()?;
-        let given = carried.len();
+        let (mut carried, given) = (sources.to_vec(), sources.len());
         let parts = |from: Place, to: Place| from.component(surface) != to.component(surface);
         if !geometry.portals().places().chunks_exact(2).any(|ends| parts(ends[0], ends[1])) {
             return Ok(Self { sources: carried, given, crossings: Vec::new() });
@@ -60,7 +58,6 @@ impl CarriedSources {
     }
 
     /// A distance from these sources, as one from those that were given.
-    #[must_use]
     pub fn distance(&self, mut distance: Distance) -> Distance {
         let given: HashSet<PlaceKey> = self.sources[..self.given].iter().map(|source| key(source.place())).collect();
         distance.sources.retain(|&place| given.contains(&key(place)));

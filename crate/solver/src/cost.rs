@@ -110,6 +110,11 @@ impl Costs {
         Self::new(surface, surface.faces().iter().map(|corners| cut(cost(share(corners)))).collect())
     }
 
+    /// Whether these are the same numbers in the same memory.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.of_face, &other.of_face)
+    }
+
     /// Of a face.
     #[inline(always)]
     pub fn of(&self, face: FaceId) -> f64 {
@@ -128,7 +133,8 @@ impl Costs {
 
     /// The geometric mean of all faces' costs.
     pub fn mean(&self) -> f64 {
-        (self.of_face.iter().map(|cost| cost.ln()).sum::<f64>() / self.of_face.len() as f64).exp()
+        let logarithms = || self.of_face.iter().map(|cost| cost.ln()).sum::<f64>();
+        self.constant.unwrap_or_else(|| (logarithms() / self.of_face.len() as f64).exp())
     }
 
     /// The cost of a path on the surface: the sum of the lengths of its segments, each times the cost of the face that it

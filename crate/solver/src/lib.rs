@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use std::ops::ControlFlow;
-//! use heatwalk::{DistanceOptions, DistanceSolver, Method, Surface, VertexId, descend};
+//! use heatwalk::{DistanceOptions, DistanceSolver, Method, PathKind, Surface, VertexId};
 //! use heatwalk_shapes::icosphere;
 //!
 //! # fn main() -> heatwalk::Result<()> {
@@ -16,7 +16,7 @@
 //! assert_eq!(answer.method, Method::Exact, "on so small a mesh");
 //! assert!((answer.distance.max() - std::f64::consts::PI).abs() < 0.01, "half a great circle of the unit sphere");
 //!
-//! let path = descend(solver.surface(), &answer.distance, VertexId(7))?;
+//! let path = solver.path(&answer, VertexId(7), PathKind::Exact)?;
 //! println!("{} units in {} segments", path.length(), path.points.len() - 1);
 //! # Ok(())
 //! # }
@@ -30,8 +30,8 @@
 //!   distances, and where a [`Boundary`] condition is wanted.
 //! - [`Method::Exact`] and [`Method::Propagation`] where the one or the other is wanted whatever it takes.
 //!
-//! Where the ground is not the same everywhere, [`DistanceSolver::weighted`] takes [`Costs`] of faces, and [`Surface::walled`]
-//! puts up [`Walls`].
+//! Where the ground is not the same everywhere, [`DistanceSolver::set_costs`] takes [`Costs`] of faces, and
+//! [`DistanceSolver::set_walls`] puts up [`Walls`]. [`DistanceSolver::path`] and [`DistanceSolver::refine`] ask more of an [`Answer`].
 //!
 //! The methods by themselves are [`HeatSolver`], [`exact`] and [`propagation`]. The heat method is made of
 //! [`Operators`](operator::Operators) (edge lengths only) → [`Factorization`] (what is factored, by [`FactorOptions`]) →
@@ -78,7 +78,6 @@ pub use heatwalk_sparse as sparse;
 pub use heatwalk_surface as surface;
 
 pub use accuracy::RelativeError;
-pub use bridged::CarriedSources;
 pub use choice::{Choice, UnknownChoice};
 pub use cost::{Costs, tobler};
 pub use dijkstra::{edge_path, edge_polyline};
@@ -100,7 +99,7 @@ pub use path::{Enclosed, PathSearch, Straightest, descend, enclosed, refract, st
 pub use progress::{Progress, Stage, Step, Steps};
 pub use propagation::{Carriers, ExactSearch, Propagation, PropagationOptions, Windows};
 pub use refinement::PropagationRefinement;
-pub use solver::{Answer, DistanceOptions, DistanceSolver};
+pub use solver::{Answer, DistanceOptions, DistanceSolver, Joined, Solution};
 
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]

@@ -147,6 +147,15 @@ impl ExactRadius {
     /// The radii worth offering, in mean edges. Any that is 0 or more is taken.
     pub const EDGES: RangeInclusive<f64> = 0.0..=64.0;
 
+    /// The same, or so many mean edges where it may be more.
+    #[must_use]
+    pub fn at_most(self, edges: f64) -> Self {
+        match self {
+            Self::Automatic => Self::Edges(edges),
+            Self::Edges(own) => Self::Edges(own.min(edges)),
+        }
+    }
+
     /// # Errors
     /// [`Error::BadParameter`] for a radius that is negative or not a number.
     pub fn check(self) -> Result<()> {

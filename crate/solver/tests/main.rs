@@ -25,6 +25,7 @@ mod propagation;
 mod properties;
 mod refinement;
 mod refract;
+mod session;
 mod solver;
 mod sources;
 mod straighten;

@@ -4,7 +4,7 @@ mod walls;
 
 use glam::DVec3;
 
-use crate::element::{Element, FaceId, HalfedgeId, VertexData, VertexId};
+use crate::element::{Element, FaceId, HalfedgeId, InputVertex, VertexData, VertexId};
 use crate::error::{Error, Result};
 use crate::surface::{Surface, SurfaceId};
 
@@ -279,7 +279,7 @@ impl From<SurfacePoint> for Source {
     }
 }
 
-/// What becomes a point of a surface by a check: a [`Place`] or a [`VertexId`], that it is there; a [`SurfacePoint`], that it
+/// What becomes a point of a surface by a check: a [`Place`], a [`VertexId`] or an [`InputVertex`], that it is there; a [`SurfacePoint`], that it
 /// belongs to this surface.
 pub trait ToPoint: Copy {
     /// The point of this surface.
@@ -300,6 +300,13 @@ impl ToPoint for Place {
 impl ToPoint for VertexId {
     fn to_point(self, surface: &Surface) -> Result<SurfacePoint> {
         Place::Vertex(self).to_point(surface)
+    }
+}
+
+/// What became of a vertex of the input; [`Error::UnreferencedVertex`] where that is nothing.
+impl ToPoint for InputVertex {
+    fn to_point(self, surface: &Surface) -> Result<SurfacePoint> {
+        surface.require_vertex(self)?.to_point(surface)
     }
 }
 

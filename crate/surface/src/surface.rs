@@ -290,6 +290,14 @@ impl Surface {
         self.vertex_of_input.get(vertex).copied().flatten()
     }
 
+    /// The same where there has to be one.
+    ///
+    /// # Errors
+    /// [`Error::UnreferencedVertex`].
+    pub fn require_vertex(&self, vertex: InputVertex) -> Result<VertexId> {
+        self.vertex_of_input(vertex).ok_or(Error::UnreferencedVertex { vertex: vertex.index() })
+    }
+
     /// Of every input vertex the welded vertex that it became; `None` where no kept face uses it.
     pub fn vertices_of_inputs(&self) -> &InputVertexData<Option<VertexId>> {
         &self.vertex_of_input
@@ -378,7 +386,7 @@ impl Surface {
         let degree = |vertex| self.corners.row(vertex).len();
         let [start, end] = if degree(a) <= degree(b) { [a, b] } else { [b, a] };
         let mut sides = self.corners.row(start).iter().flat_map(|&corner| [corner, corner.previous_in_triangle()]);
-        sides.find(|&side| self.ends(side).contains(&end))
+        sides.find(|&side| start != end && self.ends(side).contains(&end))
     }
 
     /// The faces that have an edge, over all copies, ascending: one on a boundary, more than two where not manifold.

@@ -14,6 +14,9 @@ use crate::mesh::TetMesh;
 use crate::path::VolumePath;
 use crate::point::{TetPoint, TetSource};
 
+/// Mean edges around the sources that are marched ahead of quick answers by heat.
+const QUICK_EDGES: f64 = 3.0;
+
 /// How distances are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VolumeOptions {
@@ -36,6 +39,13 @@ impl VolumeOptions {
     /// This method with all else at its default.
     pub fn by(method: VolumeMethod) -> Self {
         Self { method, ..Self::default() }
+    }
+
+    /// For an answer in a fraction of the time, as while a source is dragged: with a smaller region of the march by
+    /// [`VolumeMethod::Heat`].
+    #[must_use]
+    pub fn quick(self) -> Self {
+        Self { heat: Parameters { exact_radius: self.heat.exact_radius.at_most(QUICK_EDGES), ..self.heat }, ..self }
     }
 
     fn check(&self) -> Result<()> {

@@ -1,7 +1,6 @@
 //! Between the drawn vertices that the page knows and the welded vertices that the solver knows.
 
 use glam::DVec3;
-use heatwalk::surface::Error;
 use heatwalk::{
     Appearance, FaceData, FaceId, InputVertex, Place, Soup, Source, Surface, SurfacePoint, VertexData, VertexId,
 };
@@ -116,9 +115,7 @@ impl Drawn {
     /// which are those of the surface's face.
     pub fn point(&self, surface: &Surface, place: &JsValue) -> Result<SurfacePoint> {
         if let Some(vertex) = number(place, "vertex") {
-            let input = InputVertex(vertex as u32);
-            let absent = || Error::UnreferencedVertex { vertex: vertex as usize };
-            return Ok(surface.point(surface.vertex_of_input(input).ok_or_else(absent)?)?);
+            return Ok(surface.point(InputVertex(vertex as u32))?);
         }
         let face =
             number(place, "face").ok_or_else(|| Failure::misuse("a place is a vertex or a face with three weights"))?;

@@ -1,6 +1,6 @@
 //! A distance field as the page gets it, and what is known of how exact it is.
 
-use heatwalk::{Distance, HeatSolver, RelativeError};
+use heatwalk::{Distance, RelativeError, Solution};
 use js_sys::Float32Array;
 use wasm_bindgen::prelude::*;
 
@@ -15,9 +15,15 @@ pub enum Origin {
     Windows(u16),
 }
 
-impl Origin {
-    pub fn of_heat(solver: &HeatSolver) -> Self {
-        Self::Heat { time_factor: solver.time_factor() }
+/// The field solved last.
+pub struct Solved {
+    pub solution: Solution,
+    pub origin: Origin,
+}
+
+impl Solved {
+    pub fn distance(&self) -> &Distance {
+        &self.solution.answer().distance
     }
 }
 
@@ -36,13 +42,8 @@ pub struct Field {
 
 impl Field {
     /// `in_walls`: how many vertices cannot be reached by anything.
-    pub(crate) fn of(
-        drawn: &Drawn,
-        distance: &Distance,
-        origin: Origin,
-        error: Option<RelativeError>,
-        in_walls: usize,
-    ) -> Self {
+    pub(crate) fn of(drawn: &Drawn, solved: &Solved, in_walls: usize) -> Self {
+        let distance = solved.distance();
         let (mut max, mut reachable, mut exact) = (0.0_f64, 0, 0);
         for &value in &distance.values {
             if value.is_finite() {
@@ -58,8 +59,8 @@ impl Field {
             unreachable: (distance.values.len() - reachable).saturating_sub(in_walls) as u32,
             exact_below: distance.exact_below,
             exact_share: exact as f64 / reachable.max(1) as f64,
-            origin,
-            error,
+            origin: solved.origin,
+            error: solved.solution.error(),
         }
     }
 }

@@ -112,7 +112,10 @@ impl Ground {
         while let Some((&count, after)) = rest.split_first() {
             let through = after.get(..count as usize).ok_or_else(|| Failure::misuse("a line ends too soon"))?;
             rest = &after[count as usize..];
-            let line: Vec<VertexId> = through.iter().map(|&vertex| self.vertex(vertex)).collect::<Result<_>>()?;
+            let line: Vec<VertexId> = through
+                .iter()
+                .map(|&vertex| Ok(self.surface.require_vertex(InputVertex(vertex))?))
+                .collect::<Result<_>>()?;
             for pair in line.windows(2) {
                 let vertex = pair[1].0 as usize;
                 edges.push(self.surface.halfedge_between(pair[0], pair[1]).ok_or(Error::NotAdjacent { vertex })?);
@@ -121,16 +124,10 @@ impl Ground {
         Ok(edges)
     }
 
-    fn vertex(&self, vertex: u32) -> Result<VertexId> {
-        let absent = Error::UnreferencedVertex { vertex: vertex as usize };
-        let is_there = (vertex as usize) < self.surface.vertices_of_inputs().len();
-        let found = is_there.then(|| self.surface.vertex_of_input(InputVertex(vertex))).flatten();
-        Ok(found.ok_or(absent)?)
-    }
-
     /// The shortest line along edges from one vertex of the input to another, in vertices of the input.
     pub fn line(&self, from: u32, to: u32) -> Result<Vec<u32>> {
-        let line = heatwalk::edge_path(&self.surface, self.vertex(from)?, self.vertex(to)?)?;
+        let [from, to] = [from, to].map(|vertex| self.surface.require_vertex(InputVertex(vertex)));
+        let line = heatwalk::edge_path(&self.surface, from?, to?)?;
         Ok(line.into_iter().map(|vertex| self.surface.inputs_of_vertex(vertex)[0].0).collect())
     }
 

@@ -10,12 +10,10 @@ mod camera;
 mod drawn;
 mod field;
 mod ground;
-mod joined;
 mod measuring;
 mod motion;
 mod outline;
 mod results;
-mod solved;
 mod solver;
 
 use std::sync::Arc;
@@ -36,7 +34,7 @@ use crate::drawn::Drawn;
 use crate::motion::{Clip, Scenery};
 use crate::outline::Outline;
 use crate::results::{BuildReport, DrawMesh, Shade, Warning};
-use crate::solver::Solver;
+use crate::solver::{Solver, go_on, reporter};
 
 /// The types of arguments that have no type in Rust: names and options are those of the generated contract.
 #[wasm_bindgen(typescript_custom_section)]
@@ -360,7 +358,7 @@ impl Drawing {
 
     /// A solver by windows; nothing is factored.
     pub fn solver(&self) -> Result<Solver> {
-        Solver::unfactored(&self.surface, &self.drawn, self.posing.clone())
+        Solver::new(&self.surface, &self.drawn, self.posing.clone(), None, &mut go_on)
     }
 
     /// A solver by heat as well: factors the heat and Poisson matrices. `progress` is told the stages.
@@ -369,6 +367,7 @@ impl Drawing {
         #[wasm_bindgen(unchecked_param_type = "Partial<Parameters>")] parameters: &Object,
         #[wasm_bindgen(unchecked_param_type = "Progress")] progress: &Function,
     ) -> Result<Solver> {
-        Solver::factored(&self.surface, &self.drawn, self.posing.clone(), parameters, progress)
+        let parameters = heatwalk_bindings::parameters(parameters)?;
+        Solver::new(&self.surface, &self.drawn, self.posing.clone(), Some(parameters), &mut reporter(progress))
     }
 }

@@ -1,18 +1,8 @@
-//! What is measured between places: the search of a leg, and what the page gets of legs and of closed curves.
+//! What the page gets of measured legs and of closed curves.
 
-use std::sync::Arc;
-
-use heatwalk::exact::ExactGeometry;
-use heatwalk::{Enclosed, PathSearch, SurfacePoint};
+use heatwalk::Enclosed;
 use js_sys::{Float64Array, Uint32Array};
 use wasm_bindgen::prelude::*;
-
-/// The search for a shortest path, which is done step by step.
-pub struct Measuring {
-    pub geometry: Arc<ExactGeometry>,
-    pub ends: [SurfacePoint; 2],
-    pub search: PathSearch,
-}
 
 /// A path between two places, as places of the drawing, so that it can be drawn in any pose.
 #[wasm_bindgen(inspectable)]

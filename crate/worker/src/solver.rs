@@ -11,32 +11,19 @@ use std::num::NonZeroU16;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use heatwalk::exact::{self, ExactGeometry, PlaceDistances};
-use heatwalk::surface::memory;
 use heatwalk::{
-    CarriedSources, Carriers, Distance, EdgeKind, ExactRadius, FaceField, HeatSolver, Path, PathKind, PathSearch,
-    Propagation, PropagationOptions, Query, Source, Stage, Surface, SurfacePoint, VertexData, Windows, descend,
-    refract, straighten,
+    DistanceOptions, DistanceSolver, EdgeKind, FaceField, HeatSolver, Method, Parameters, Path, PathSearch, Step,
+    Surface, Windows,
 };
-use heatwalk_bindings::{Failure, Result, parameters};
+use heatwalk_bindings::{Failure, Result, logarithms, parameters};
 use heatwalk_scene::{Crowd, Posing, overlay};
 use js_sys::{Array, Function, Object};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::field::{Field, Origin};
+use crate::field::{Field, Origin, Solved};
 use crate::ground::Ground;
-use crate::joined::Joined;
-use crate::measuring::Measuring;
 use crate::results::SurfacePath;
-use crate::solved::{Solved, factored};
-
-/// Exact radius of quick solves, in mean edges. Up to here it costs little beside the systems that are solved anyway, and
-/// the rings around a source, where heat is off most, are exact.
-const QUICK_EDGES: f64 = 8.0;
-
-/// Bytes that exact distances and windows need of the surface, a face.
-const BYTES_PER_FACE: u64 = 128;
 
 /// The same walkers start at the same places whenever a mesh is opened.
 const CROWD_SEED: u64 = 1;
@@ -45,104 +32,63 @@ const CROWD_SEED: u64 = 1;
 #[wasm_bindgen]
 pub struct Solver {
     drawn: Arc<Drawn>,
-    /// The surface that distances are measured on, with what it costs.
-    geometry: Arc<ExactGeometry>,
-    /// The same without costs, where these differ.
-    unweighted: Option<Arc<ExactGeometry>>,
     ground: Ground,
-    /// The surface in the pose of the file, as walls part it.
-    parted: Arc<Surface>,
-    /// How many of its vertices are in walls.
+    solver: DistanceSolver,
+    /// Of heat, where it may be asked.
+    heat: Option<Parameters>,
+    /// How many vertices are in walls.
     in_walls: usize,
-    /// The same as it is shown: in another pose, if distances are measured in that of the file.
+    /// The surface as it is shown: in another pose, if distances are measured in that of the file.
     shown: Arc<Surface>,
-    joined: Joined,
     posing: Option<Posing>,
     /// The path that was traced last.
     path: Option<Path>,
-    /// What is factored, if anything.
-    heat: Option<HeatSolver>,
-    /// Whether that is for another ground.
-    is_stale: bool,
-    /// That of the last field by windows, kept for its memory.
-    propagation: Option<Propagation>,
     solved: Option<Solved>,
-    /// The exact path that is searched on it, and whence.
-    search: Option<(SurfacePoint, PathSearch)>,
-    /// The leg of a tape that is measured on it.
-    measuring: Option<Measuring>,
+    /// The exact path that is searched on it.
+    search: Option<PathSearch>,
+    /// The leg of a tape that is measured.
+    measuring: Option<PathSearch>,
     crowd: Option<Crowd>,
 }
 
 impl Solver {
-    pub(crate) fn unfactored(surface: &Arc<Surface>, drawn: &Arc<Drawn>, posing: Option<Posing>) -> Result<Self> {
-        memory::require(BYTES_PER_FACE * surface.face_count() as u64, "unfolding the triangles")?;
-        Ok(Self::new(drawn, Arc::new(ExactGeometry::new(Arc::clone(surface))), posing, None))
-    }
-
-    pub(crate) fn factored(
+    /// `heat`: with factors for these parameters.
+    pub(crate) fn new(
         surface: &Arc<Surface>,
         drawn: &Arc<Drawn>,
         posing: Option<Posing>,
-        given: &Object,
-        progress: &Function,
+        heat: Option<Parameters>,
+        progress: &mut dyn FnMut(Step) -> ControlFlow<()>,
     ) -> Result<Self> {
-        let heat = HeatSolver::new(Arc::clone(surface), parameters(given)?, &mut reporter(progress))?;
-        Ok(Self::new(drawn, Arc::clone(heat.exact_geometry()), posing, Some(heat)))
-    }
-
-    fn new(drawn: &Arc<Drawn>, geometry: Arc<ExactGeometry>, posing: Option<Posing>, heat: Option<HeatSolver>) -> Self {
-        let surface = Arc::clone(geometry.surface());
-        Self {
+        let mut solver = DistanceSolver::new(Arc::clone(surface));
+        solver.prepare(&heat.map_or(DistanceOptions::default(), by_heat), progress)?;
+        Ok(Self {
             drawn: Arc::clone(drawn),
-            geometry,
-            unweighted: None,
-            ground: Ground::new(&surface, drawn),
-            parted: Arc::clone(&surface),
+            ground: Ground::new(surface, drawn),
+            solver,
+            heat,
             in_walls: 0,
+            shown: Arc::clone(surface),
             posing,
             path: None,
-            shown: surface,
-            joined: Joined::default(),
-            heat,
-            is_stale: false,
-            propagation: None,
             solved: None,
             search: None,
             measuring: None,
             crowd: None,
-        }
+        })
     }
 
-    fn sources(&self, given: &Array) -> Result<Vec<Source>> {
-        given.iter().map(|source| self.drawn.source(self.geometry.surface(), &source)).collect()
-    }
-
-    fn heat_distance(&self, sources: &[Source], quick: bool) -> Result<Distance> {
-        let heat = factored(self.heat.as_ref())?;
-        let carried = CarriedSources::new(&self.geometry, sources)?;
-        let query = heat.query(carried.sources())?;
-        let exact_radius = match query.exact_radius {
-            radius if !quick => radius,
-            ExactRadius::Edges(edges) => ExactRadius::Edges(edges.min(QUICK_EDGES)),
-            ExactRadius::Automatic => ExactRadius::Edges(QUICK_EDGES),
+    fn answer(&mut self, sources: &Array, options: DistanceOptions, quick: bool) -> Result<Field> {
+        let options = if quick { options.quick() } else { options };
+        let surface = self.solver.surface();
+        let sources = sources.iter().map(|source| self.drawn.source(surface, &source)).collect::<Result<Vec<_>>>()?;
+        let answer = self.solver.distance(&sources, &options, &mut go_on)?;
+        let origin = match (options.windows, self.solver.heat()) {
+            (_, Some(heat)) if options.method == Method::Heat => Origin::Heat { time_factor: heat.time_factor() },
+            (Windows::AtMost(count), _) if !quick => Origin::Windows(count.get()),
+            _ => Origin::Windows(0),
         };
-        Ok(carried.distance(heat.factorization().distance(&Query { exact_radius, ..query })?))
-    }
-
-    fn propagated_distance(&mut self, sources: &[Source], windows: u16, quick: bool) -> Result<Distance> {
-        let count = NonZeroU16::new(windows).ok_or_else(|| Failure::misuse("one window at least is kept"))?;
-        let carriers = if quick { Carriers::Vertices } else { Carriers::Windows };
-        let options = PropagationOptions { windows: Windows::AtMost(count), carriers, ..PropagationOptions::default() };
-        let mut propagation = Propagation::reusing(self.propagation.take(), &self.geometry, sources, options)?;
-        propagation.advance(f64::INFINITY, usize::MAX)?;
-        let distance = propagation.distance();
-        self.propagation = Some(propagation);
-        Ok(distance)
-    }
-
-    fn answer(&mut self, solved: Solved) -> Result<Field> {
-        self.solved = Some(solved);
+        self.solved = Some(Solved { solution: answer.into(), origin });
         self.search = None;
         self.field()
     }
@@ -150,18 +96,32 @@ impl Solver {
     /// The last field as the page gets it; the crowd follows it.
     fn field(&mut self) -> Result<Field> {
         self.lead_crowd()?;
-        Ok(self.solved()?.field(&self.drawn, self.in_walls))
+        Ok(Field::of(&self.drawn, self.solved()?, self.in_walls))
     }
 
     fn lead_crowd(&mut self) -> Result<()> {
         if let (Some(crowd), Some(solved)) = (&mut self.crowd, &self.solved) {
-            crowd.follow(&solved.distance.carried(self.geometry.surface(), &self.shown)?)?;
+            crowd.follow(&solved.distance().carried(self.solver.surface(), &self.shown)?)?;
         }
         Ok(())
     }
 
     fn solved(&self) -> Result<&Solved> {
         self.solved.as_ref().ok_or_else(|| heatwalk::Error::NoSource.into())
+    }
+
+    fn forget(&mut self) {
+        (self.solved, self.search) = (None, None);
+    }
+
+    fn heat_options(&self) -> Result<DistanceOptions> {
+        self.heat.map(by_heat).ok_or_else(|| Failure::misuse("nothing is factored"))
+    }
+
+    /// The factors of the surface as it is.
+    fn factors(&mut self) -> Result<&HeatSolver> {
+        self.solver.prepare(&self.heat_options()?, &mut go_on)?;
+        self.solver.heat().ok_or_else(|| heatwalk::Error::NoHeat.into())
     }
 }
 
@@ -174,14 +134,11 @@ impl Solver {
         #[wasm_bindgen(unchecked_param_type = "Progress")] progress: &Function,
     ) -> Result<()> {
         let parameters = parameters(given)?;
-        if let (Some(heat), false) = (&mut self.heat, self.is_stale) {
-            heat.set_parameters(parameters, &mut reporter(progress))?;
-        } else if self.heat.is_some() {
-            self.heat = Some(self.factored_for(self.geometry.surface(), parameters)?);
-            self.is_stale = false;
+        if self.heat.is_some() {
+            self.solver.prepare(&by_heat(parameters), &mut reporter(progress))?;
+            self.heat = Some(parameters);
         }
-        self.solved = None;
-        self.search = None;
+        self.forget();
         Ok(())
     }
 
@@ -189,80 +146,70 @@ impl Solver {
     /// nearest of the groups that stay apart, where they meet in the pose that is shown (`posed`) or in that of the file; forgets
     /// the field.
     pub fn bridge(&mut self, rule: &str, links: u32, posed: bool) -> Result<()> {
-        let surface = match &self.posing {
-            Some(posing) if posed => Arc::new(self.ground.surface.posed(posing.positions(&self.ground.surface))),
-            _ => Arc::clone(&self.ground.surface),
+        let whole = self.solver.whole();
+        let pose = match &self.posing {
+            Some(posing) if posed => Arc::new(whole.posed(posing.positions(whole))),
+            _ => Arc::clone(whole),
         };
-        let is_changed = self.joined.join(&surface, rule.parse()?, links as usize);
-        self.propagation = None;
-        self.solved = None;
-        self.search = None;
-        if is_changed {
-            self.lay_out(self.plain_geometry());
-        }
+        self.solver.join(&pose, rule.parse()?, links as usize)?;
+        self.forget();
         Ok(())
     }
 
     /// Groups of components that paths lead between; 0 before the first [`bridge`](Self::bridge).
     pub fn groups(&self) -> u32 {
-        self.joined.bridges().group_count() as u32
+        self.solver.joined().bridges().group_count() as u32
     }
 
     /// Pairs of components that meet, without those that are linked.
     pub fn contacts(&self) -> u32 {
-        self.joined.contact_count() as u32
+        self.solver.joined().contact_count() as u32
     }
 
     /// Whether all contacts were looked at, or there are too many.
     pub fn contacts_complete(&self) -> bool {
-        self.joined.bridges().is_complete()
+        self.solver.joined().bridges().is_complete()
     }
 
     /// Portals across cracks within components.
     pub fn crack_portals(&self) -> u32 {
-        self.joined.bridges().across_cracks().count() as u32
+        self.solver.joined().bridges().across_cracks().count() as u32
     }
 
     /// The widest gap that these lead across, in the unit of the file.
     pub fn crack_gap(&self) -> f64 {
-        self.joined.bridges().crack_width()
+        self.solver.joined().bridges().crack_width()
     }
 
     /// Links between groups.
     pub fn links(&self) -> u32 {
-        self.joined.linked().len() as u32
+        self.solver.joined().linked().len() as u32
     }
 
     /// The widest gap that is linked, in the file's unit; 0 without links.
     pub fn linked_gap(&self) -> f64 {
-        self.joined.linked().last().map_or(0.0, |link| link.gap)
+        self.solver.joined().linked().last().map_or(0.0, |link| link.gap)
     }
 
     /// With how many links, at least, the sources of the last field reach more than they do; as many as there are where they
     /// reach all that can be linked.
     pub fn links_to_reach_more(&mut self) -> Result<u32> {
         let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
-        let surface = &self.ground.surface;
-        let components: Vec<u32> = solved.sources.iter().map(|source| source.place().component(surface)).collect();
-        Ok(self.joined.links_to_reach_more(&components) as u32)
+        Ok(self.solver.links_to_reach_more(solved.solution.answer()) as u32)
     }
 
     /// Stored entries of all Cholesky factors together; 0 where nothing is factored.
     pub fn factor_nonzeros(&self) -> f64 {
-        self.heat.as_ref().map_or(0, HeatSolver::factor_nonzeros) as f64
+        self.solver.heat().map_or(0, HeatSolver::factor_nonzeros) as f64
     }
 
-    /// Distance to the nearest of `sources` by heat; with an exact radius of at most [`QUICK_EDGES`] when `quick`.
+    /// Distance to the nearest of `sources` by heat; with a small exact region when `quick`.
     pub fn solve(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "readonly Source[]")] sources: &Array,
         quick: bool,
     ) -> Result<Field> {
-        self.factor_anew()?;
-        let sources = self.sources(sources)?;
-        let distance = self.heat_distance(&sources, quick)?;
-        let origin = Origin::of_heat(factored(self.heat.as_ref())?);
-        self.answer(Solved::new(sources, distance, origin))
+        self.answer(sources, self.heat_options()?, quick)
     }
 
     /// Distance to the nearest of `sources` by so many windows of each half-edge, or carried by vertices alone when `quick`. Needs
@@ -273,17 +220,16 @@ impl Solver {
         windows: u16,
         quick: bool,
     ) -> Result<Field> {
-        let sources = self.sources(sources)?;
-        let distance = self.propagated_distance(&sources, windows, quick)?;
-        let windows = if quick { 0 } else { windows };
-        self.answer(Solved::new(sources, distance, Origin::Windows(windows)))
+        let count = NonZeroU16::new(windows).ok_or_else(|| Failure::misuse("one window at least is kept"))?;
+        let options = DistanceOptions { windows: Windows::AtMost(count), ..DistanceOptions::by(Method::Propagation) };
+        self.answer(sources, options, quick)
     }
 
     /// Makes the last field exact by about `work` windows further from the sources; once all is exact, nothing changes.
     pub fn refine(&mut self, work: u32) -> Result<Field> {
         let solved = self.solved.as_mut().ok_or(heatwalk::Error::NoSource)?;
         self.search = None;
-        solved.refine(&self.geometry, self.heat.as_ref(), work as usize)?;
+        self.solver.refine(&mut solved.solution, work as usize)?;
         self.field()
     }
 
@@ -293,17 +239,9 @@ impl Solver {
         #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] from: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "PathKind")] kind: &str,
     ) -> Result<SurfacePath> {
-        let solved = self.solved()?;
-        let surface = self.geometry.surface();
-        let from = self.drawn.point(surface, from)?;
-        let steepest = || descend(surface, &solved.distance, from);
-        let path = match (kind.parse()?, self.geometry.costs()) {
-            (PathKind::Descent, _) => steepest()?,
-            // Where costs differ, no path is known to be exact.
-            (PathKind::Straightened | PathKind::Exact, Some(costs)) => refract(surface, costs, &steepest()?)?,
-            (PathKind::Straightened, None) => straighten(surface, &steepest()?)?,
-            (PathKind::Exact, None) => exact::shortest_path(&self.geometry, from, &solved.sources)?,
-        };
+        let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
+        let from = self.drawn.point(self.solver.surface(), from)?;
+        let path = self.solver.path(solved.solution.answer(), from, kind.parse()?)?;
         self.shown_path(path)
     }
 
@@ -314,30 +252,21 @@ impl Solver {
         work: u32,
     ) -> Result<Option<SurfacePath>> {
         let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
-        let from = self.drawn.point(self.geometry.surface(), from)?;
-        let begun = self.search.take().filter(|&(place, _)| place == from);
-        let mut search = match begun {
-            Some((_, search)) => search,
-            None => PathSearch::new(&self.geometry, from, &solved.sources)?,
-        };
-        let path = search.step(work as usize)?;
-        if path.is_none() {
-            self.search = Some((from, search));
-        }
+        let from = self.drawn.point(self.solver.surface(), from)?;
+        let sources = &solved.solution.answer().sources;
+        let path = self.solver.search_path(&mut self.search, from, sources, work as usize)?;
         path.map(|path| self.shown_path(path)).transpose()
     }
 
     /// The last field at places, in the file's unit, Infinity where no source reaches them; none until all of it is exact.
     pub fn exact_distances(
-        &self,
+        &mut self,
         #[wasm_bindgen(unchecked_param_type = "readonly SurfacePoint[]")] places: &Array,
     ) -> Result<Option<Vec<f64>>> {
-        let solved = self.solved()?;
-        if !solved.is_exact() {
-            return Ok(None);
-        }
-        let distances = PlaceDistances::new(&self.geometry, &solved.distance.values, &solved.sources)?;
-        let at = |place| Ok(distances.at(self.drawn.point(self.geometry.surface(), &place)?)?);
+        let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
+        let surface = Arc::clone(self.solver.surface());
+        let Some(distances) = self.solver.place_distances(solved.solution.answer())? else { return Ok(None) };
+        let at = |place| Ok(distances.at(self.drawn.point(&surface, &place)?)?);
         places.iter().map(at).collect::<Result<_>>().map(Some)
     }
 
@@ -359,13 +288,13 @@ impl Solver {
 
     /// `#E × 2 × 3`: ends of the edges between faces ("mesh"), of those with one face ("boundary"), or of those that the
     /// operators see ("operator"), drawn on the surface; or the lines that show where components meet ("contact").
-    pub fn edges(&self, #[wasm_bindgen(unchecked_param_type = "EdgeKind")] kind: &str) -> Result<Vec<f32>> {
-        let surface = &*self.shown;
+    pub fn edges(&mut self, #[wasm_bindgen(unchecked_param_type = "EdgeKind")] kind: &str) -> Result<Vec<f32>> {
+        let surface = Arc::clone(&self.shown);
         let edges = match kind.parse()? {
-            EdgeKind::Mesh => overlay::inner_edges(surface),
-            EdgeKind::Boundary => overlay::boundary_edges(surface),
-            EdgeKind::Contact => overlay::contact_lines(surface, self.joined.bridges()),
-            EdgeKind::Operator => overlay::operator_edges(factored(self.heat.as_ref())?, surface)?,
+            EdgeKind::Mesh => overlay::inner_edges(&surface),
+            EdgeKind::Boundary => overlay::boundary_edges(&surface),
+            EdgeKind::Contact => overlay::contact_lines(&surface, self.solver.joined().bridges()),
+            EdgeKind::Operator => overlay::operator_edges(self.factors()?, &surface)?,
         };
         Ok(self.drawn.transform.places(edges.as_flattened().iter().copied()))
     }
@@ -373,22 +302,13 @@ impl Solver {
     /// `#D`: how far the last field was off before it was made exact, relative to the exact distance; 0 at sources and
     /// where nothing is reached. None until all of it is exact.
     pub fn errors(&self) -> Result<Option<Vec<f32>>> {
-        let solved = self.solved()?;
-        let Some(instant) = solved.instant() else { return Ok(None) };
-        let error = |(instant, exact): (&f64, &f64)| {
-            let error = (instant - exact).abs() / exact;
-            if error.is_finite() { error } else { 0.0 }
-        };
-        let errors: VertexData<f64> = instant.iter().zip(&solved.distance.values).map(error).collect();
-        Ok(Some(self.drawn.spread(&errors)))
+        Ok(self.solved()?.solution.errors().map(|errors| self.drawn.spread(&errors)))
     }
 
     /// `#D`: log10 of the last field's heat over its maximum, −∞ where there is none.
     pub fn heat(&self) -> Result<Vec<f32>> {
-        let heat = self.solved()?.distance.heat()?;
-        let max = heat.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-        let logarithms: VertexData<f64> = heat.iter().map(|&value| (value.max(0.0) / max).log10()).collect();
-        Ok(self.drawn.spread(&logarithms))
+        let heat = self.solved()?.distance().heat()?;
+        Ok(self.drawn.spread(&logarithms(heat.as_slice()).collect()))
     }
 
     /// Changes the number of walkers; 0 sends all away. `height`: of those who set out, in bounding radii of the surface.
@@ -397,7 +317,7 @@ impl Solver {
             _ if count == 0 => self.crowd = None,
             Some(crowd) => crowd.set_count(count as usize),
             None => {
-                let height = height * self.geometry.surface().bounding_radius();
+                let height = height * self.solver.surface().bounding_radius();
                 let mut crowd = Crowd::new(Arc::clone(&self.shown), count as usize, height, CROWD_SEED)?;
                 crowd.set_costs(self.ground.costs.as_ref());
                 self.crowd = Some(crowd);
@@ -416,10 +336,20 @@ impl Solver {
     }
 }
 
-/// Passes the stages on to the page. What the page does with them is no reason to stop.
-fn reporter(progress: &Function) -> impl FnMut(Stage, f64) -> ControlFlow<()> {
-    move |stage, fraction| {
-        let _ = progress.call2(&JsValue::NULL, &stage.to_string().into(), &fraction.into());
-        ControlFlow::Continue(())
+fn by_heat(heat: Parameters) -> DistanceOptions {
+    DistanceOptions { heat, ..DistanceOptions::by(Method::Heat) }
+}
+
+/// Questions are stopped with the worker.
+pub(crate) fn go_on(_: Step) -> ControlFlow<()> {
+    ControlFlow::Continue(())
+}
+
+/// Passes the stages of factoring on to the page.
+pub(crate) fn reporter(progress: &Function) -> impl FnMut(Step) -> ControlFlow<()> {
+    let mut report = heatwalk_bindings::reporter(progress);
+    move |step| match step {
+        Step::Precompute(stage, fraction) => report(stage, fraction),
+        _ => ControlFlow::Continue(()),
     }
 }

@@ -85,6 +85,11 @@ impl Factorization {
         self.triangles().surface()
     }
 
+    /// What a unit of length costs, where that is not 1 everywhere.
+    pub fn costs(&self) -> Option<&Costs> {
+        self.triangles().costs()
+    }
+
     /// The operators that are factored.
     pub fn operators(&self) -> &Operators {
         self.triangles().operators()

@@ -5,11 +5,12 @@ use std::sync::Arc;
 use crate::error::{Error, Result};
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::refinement;
-use heatwalk_surface::{Path, ToPoint, ToSource};
+use heatwalk_surface::{Path, Source, SurfacePoint, ToPoint, ToSource};
 
 /// The search for a shortest path, as [`exact::shortest_path`](crate::exact::shortest_path), which can be interrupted.
 #[derive(Debug)]
 pub struct PathSearch {
+    from: SurfacePoint,
     front: Wavefront,
 }
 
@@ -23,7 +24,13 @@ impl PathSearch {
             return Err(Error::NoSource);
         }
         refinement::require_room(geometry)?;
-        Ok(Self { front: Wavefront::with_targets(Arc::clone(geometry), sources, &[from])? })
+        let from = from.to_point(geometry.surface())?;
+        Ok(Self { from, front: Wavefront::with_targets(Arc::clone(geometry), sources, &[from])? })
+    }
+
+    /// Whether it is the search from this place to these sources on this geometry.
+    pub(crate) fn is_of(&self, geometry: &Arc<ExactGeometry>, from: SurfacePoint, sources: &[Source]) -> bool {
+        Arc::ptr_eq(self.front.geometry(), geometry) && self.from == from && self.front.sources() == sources
     }
 
     /// Propagates about `work` windows further. Gives the path once no other can be shorter.

@@ -2,10 +2,13 @@
 
 use crate::distance::Distance;
 use crate::options::Method;
+use heatwalk_surface::Source;
 
 /// A distance and how it was found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
+    /// What was asked: the sources with their initial distances, those included that others reach before.
+    pub sources: Vec<Source>,
     /// The distance. Its `exact_below` says how far it is exact.
     pub distance: Distance,
     /// What found it, never [`Method::Auto`]: [`Method::Exact`] where all windows were propagated, whatever was asked for.
@@ -15,12 +18,8 @@ pub struct Answer {
 }
 
 impl Answer {
-    /// The same where all lengths are so many times as large.
-    pub(super) fn times(mut self, factor: f64) -> Self {
-        let Distance { values, exact_below, crossings, .. } = &mut self.distance;
-        values.iter_mut().for_each(|value| *value *= factor);
-        *exact_below *= factor;
-        crossings.iter_mut().for_each(|crossing| crossing.distance *= factor);
-        self
+    /// Whether all values are exact.
+    pub fn is_exact(&self) -> bool {
+        self.distance.exact_below == f64::INFINITY
     }
 }

@@ -1,19 +1,26 @@
 //! One object that answers by any method.
 //!
-//! It owns the surface, makes what a method needs when it is first asked for (the factors of [heat](crate::heat), the
-//! unfolded triangles and the memory of a [search in windows](crate::propagation)) and keeps it for the next question.
+//! It owns the surface, with its bridges, walls and costs, makes what a method needs when it is first asked for (the factors of
+//! [heat](crate::heat), the unfolded triangles and the memory of a [search in windows](crate::propagation)) and keeps it for the
+//! next question.
 
 mod answer;
+mod ground;
+mod joined;
 mod options;
+mod paths;
 mod questions;
 mod search;
+mod solution;
 
 use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 pub use answer::Answer;
+pub use joined::Joined;
 pub use options::DistanceOptions;
+pub use solution::Solution;
 
 use crate::bridged::CarriedSources;
 use crate::cost::Costs;
@@ -24,20 +31,31 @@ use crate::heat::HeatSolver;
 use crate::options::{Method, Parameters};
 use crate::progress::{Step, Steps};
 use crate::propagation::PropagationOptions;
-use heatwalk_surface::{Bridges, Source, Surface, ToSource, parallel};
+use heatwalk_surface::{Source, Surface, ToSource, memory, parallel};
 use search::Search;
 
-/// Distances on a surface by any [`Method`].
+/// Bytes that exact distances and windows need of the surface, a face.
+const BYTES_PER_FACE: u64 = 128;
+
+/// Distances and paths on a surface by any [`Method`].
 #[derive(Debug)]
 pub struct DistanceSolver {
+    /// Without walls.
+    whole: Arc<Surface>,
+    /// The same as walls part it.
+    parted: Arc<Surface>,
+    /// That in the pose in which distances are measured.
     surface: Arc<Surface>,
-    /// Those that make the geometry.
+    /// Those that make the geometry and find bridges.
     threads: NonZeroUsize,
-    /// What paths cross from one component to another.
-    bridges: Bridges,
+    /// What paths cross from one component of the whole surface to another.
+    joined: Joined,
     /// What a unit of length costs, where that is not 1 everywhere.
     costs: Option<Costs>,
+    /// Without costs, which change more often than all else.
+    plain: Option<Arc<ExactGeometry>>,
     geometry: Option<Arc<ExactGeometry>>,
+    /// Of this surface and its costs, or of others before.
     heat: Option<HeatSolver>,
     /// One for each thread that has answered.
     searches: Vec<Search>,
@@ -49,62 +67,35 @@ impl DistanceSolver {
         Self::on_threads(surface, parallel::ONE)
     }
 
-    /// The same, to unfold triangles on so many threads. It makes no difference to the answers how many.
+    /// The same, to unfold triangles and to find bridges on so many threads. It makes no difference to the answers how many.
     pub fn on_threads(surface: impl Into<Arc<Surface>>, threads: NonZeroUsize) -> Self {
+        let surface = surface.into();
         Self {
-            surface: surface.into(),
+            whole: Arc::clone(&surface),
+            parted: Arc::clone(&surface),
+            surface,
             threads,
-            bridges: Bridges::default(),
+            joined: Joined::default(),
             costs: None,
+            plain: None,
             geometry: None,
             heat: None,
             searches: Vec::new(),
         }
     }
 
-    /// The same with distances and paths that cross these bridges of the surface.
-    #[must_use]
-    pub fn bridged(self, bridges: Bridges) -> Self {
-        Self { bridges, geometry: None, ..self }
-    }
-
-    /// The same where faces have costs: distances are the least costs of paths. Where faces have different ones,
-    /// [`Method::Auto`] and [`Method::Propagation`] refract windows, and there are no exact distances.
-    ///
-    /// # Panics
-    /// Where there is not one cost a face.
-    #[must_use]
-    pub fn weighted(mut self, costs: Costs) -> Self {
-        self.set_costs(Some(costs));
-        self
-    }
-
-    /// Changes what faces cost, `None` for 1 everywhere. What is factored has to be factored again.
-    ///
-    /// # Panics
-    /// Where there is not one cost a face.
-    pub fn set_costs(&mut self, costs: Option<Costs>) {
-        if let Some(costs) = &costs {
-            assert_eq!(costs.of_faces().len(), self.surface.face_count(), "one cost a face");
-        }
-        (self.costs, self.geometry, self.heat) = (costs, None, None);
-    }
-
-    /// What a unit of length costs, where that is not 1 everywhere.
-    pub fn costs(&self) -> Option<&Costs> {
-        self.costs.as_ref()
-    }
-
     /// Makes what a method needs before its first question: factors for [`Method::Heat`], the unfolded triangles for the
     /// others. The questions do so by themselves.
     ///
     /// # Errors
-    /// [`Error::BadParameter`]; as [`HeatSolver::new`] for [`Method::Heat`]. Then what was there before still answers.
+    /// [`Error::BadParameter`]; as [`HeatSolver::new`] for [`Method::Heat`], [`Error::OutOfMemory`] for the others. Then what was
+    /// there before still answers.
     pub fn prepare(&mut self, options: &DistanceOptions, progress: Steps<'_>) -> Result<()> {
         options.check()?;
         if options.method == Method::Heat {
             self.factored(options.heat, progress)?;
-        } else {
+        } else if self.geometry.is_none() {
+            memory::require(BYTES_PER_FACE * self.surface.face_count() as u64, "unfolding the triangles")?;
             self.exact_geometry();
         }
         Ok(())
@@ -121,15 +112,13 @@ impl DistanceSolver {
         options: &DistanceOptions,
         progress: Steps<'_>,
     ) -> Result<Answer> {
-        options.check()?;
-        let (sources, cost) = (self.checked(sources)?, self.constant_cost());
-        let Some(propagation) = self.propagation(options)? else {
-            let carried = self.carried(&sources)?;
-            return Ok(by_heat(self.factored(options.heat, progress)?, &carried)?.times(cost));
-        };
-        let (geometry, sources) = (Arc::clone(self.exact_geometry()), one_a_place(&self.surface, sources));
-        let options = options.per(cost);
-        Ok(self.searches(1)[0].answer(&geometry, &sources, (&options, propagation), progress)?.times(cost))
+        let sources = one_a_place(&self.surface, self.checked(sources)?);
+        self.prepare(options, progress)?;
+        let geometry = Arc::clone(self.exact_geometry());
+        match self.propagation(options)? {
+            Some(propagation) => self.searches(1)[0].answer(&geometry, &sources, (options, propagation), progress),
+            None => by_heat(self.factored(options.heat, progress)?, &geometry, &sources),
+        }
     }
 
     /// The distances from each source by itself, in the order of the sources, on so many threads. They are those that
@@ -147,51 +136,34 @@ impl DistanceSolver {
         threads: NonZeroUsize,
         progress: Steps<'_>,
     ) -> Result<Vec<Answer>> {
-        options.check()?;
-        let (sources, cost) = (self.checked(sources)?, self.constant_cost());
+        let sources = self.checked(sources)?;
+        self.prepare(options, progress)?;
         let (count, threads) = (sources.len(), threads.get().min(sources.len()));
-        let Some(propagation) = self.propagation(options)? else {
-            let carried = sources.iter().map(|&source| self.carried(&[source])).collect::<Result<Vec<_>>>()?;
-            let mut solvers = vec![self.factored(options.heat, progress)?; threads];
-            let answer =
-                |solver: &mut &HeatSolver, question: usize| Ok(by_heat(solver, &carried[question])?.times(cost));
-            return questions::answers(&mut solvers, count, answer, progress);
-        };
         let geometry = Arc::clone(self.exact_geometry());
-        let options = options.per(cost);
+        let Some(propagation) = self.propagation(options)? else {
+            let heat = self.factored(options.heat, progress)?;
+            let answer = |heat: &mut &HeatSolver, question: usize| by_heat(heat, &geometry, &sources[question..][..1]);
+            return questions::answers(&mut vec![heat; threads], count, answer, progress);
+        };
         let answer = |search: &mut Search, question: usize| {
             let go_on = &mut |_| ControlFlow::Continue(());
-            Ok(search.answer(&geometry, &[sources[question]], (&options, propagation), go_on)?.times(cost))
+            search.answer(&geometry, &sources[question..][..1], (options, propagation), go_on)
         };
         questions::answers(self.searches(threads), count, answer, progress)
     }
 
-    /// The surface.
+    /// The surface that is asked: as walls part it, in the pose in which distances are measured.
     pub fn surface(&self) -> &Arc<Surface> {
         &self.surface
     }
 
-    /// What exact distances and paths need of the surface, made here unless it was before. It does not know of a cost that all
-    /// faces have.
+    /// What exact distances and paths need of the surface, made here unless it was before.
     pub fn exact_geometry(&mut self) -> &Arc<ExactGeometry> {
-        let costs = self.several_costs().cloned();
-        let Self { surface, heat, bridges, threads, .. } = self;
-        self.geometry.get_or_insert_with(|| match heat {
-            Some(heat) if bridges.portals().is_empty() => Arc::clone(heat.exact_geometry()),
-            _ => {
-                let geometry = ExactGeometry::on_threads(Arc::clone(surface), *threads).bridged(bridges);
-                Arc::new(match costs {
-                    Some(costs) => geometry.weighted(&costs),
-                    None => geometry,
-                })
-            }
-        })
-    }
-
-    /// The sources that heat flows from. Without bridges they are those given.
-    fn carried(&mut self, sources: &[Source]) -> Result<CarriedSources> {
-        let geometry = Arc::clone(self.exact_geometry());
-        CarriedSources::new(&geometry, sources)
+        let geometry = match self.geometry.take() {
+            Some(geometry) => geometry,
+            None => self.laid_out(),
+        };
+        self.geometry.insert(geometry)
     }
 
     /// The solver of [`Method::Heat`], with the parameters of its last question; `None` before the first.
@@ -199,21 +171,17 @@ impl DistanceSolver {
         self.heat.as_ref()
     }
 
+    /// The distance of each vertex of the input, in its order, in the file's unit; infinite where nothing is reached, and for vertices that no
+    /// triangle uses.
+    pub fn of_inputs(&self, answer: &Answer) -> Vec<f64> {
+        self.surface.to_inputs(&answer.distance.values, f64::INFINITY)
+    }
+
     fn checked<S: ToSource>(&self, sources: &[S]) -> Result<Vec<Source>> {
         if sources.is_empty() {
             return Err(Error::NoSource);
         }
-        let cost = self.constant_cost();
-        let checked = |source: &S| {
-            let source = source.to_source(&self.surface)?;
-            Ok(self.surface.source(source.point(), source.initial_distance() / cost)?)
-        };
-        sources.iter().map(checked).collect()
-    }
-
-    /// The cost of all faces, where they have one. All is computed as if it were 1, and then multiplied.
-    fn constant_cost(&self) -> f64 {
-        self.costs.as_ref().and_then(Costs::constant).unwrap_or(1.0)
+        sources.iter().map(|source| Ok(source.to_source(&self.surface)?)).collect()
     }
 
     /// The costs, where they are not the same everywhere.
@@ -229,12 +197,21 @@ impl DistanceSolver {
         }
     }
 
+    /// Whether factors are for the surface with its present costs.
+    fn is_present(&self, heat: &HeatSolver) -> bool {
+        let is_same_cost = match (heat.factorization().costs(), &self.costs) {
+            (Some(own), Some(costs)) => own.is_same(costs),
+            (own, costs) => own.is_none() && costs.is_none(),
+        };
+        is_same_cost && heat.surface().id() == self.surface.id()
+    }
+
     /// The solver of heat with these parameters. Factors what is absent.
     fn factored(&mut self, parameters: Parameters, progress: Steps<'_>) -> Result<&HeatSolver> {
         let progress = &mut |stage, done| progress(Step::Precompute(stage, done));
-        let Some(mut solver) = self.heat.take() else {
-            let solver =
-                HeatSolver::weighted(Arc::clone(&self.surface), self.several_costs().cloned(), parameters, progress)?;
+        // Old factors go before new ones are made.
+        let Some(mut solver) = self.heat.take().filter(|heat| self.is_present(heat)) else {
+            let solver = HeatSolver::weighted(Arc::clone(&self.surface), self.costs.clone(), parameters, progress)?;
             return Ok(self.heat.insert(solver));
         };
         let changed = solver.set_parameters(parameters, progress);
@@ -251,7 +228,9 @@ impl DistanceSolver {
     }
 }
 
-fn by_heat(solver: &HeatSolver, carried: &CarriedSources) -> Result<Answer> {
-    let distance = carried.distance(solver.distance(carried.sources())?);
-    Ok(Answer { distance, method: Method::Heat, windows: 0 })
+/// Bridges carry the sources first. Without any, those are the ones given.
+fn by_heat(heat: &HeatSolver, geometry: &Arc<ExactGeometry>, sources: &[Source]) -> Result<Answer> {
+    let carried = CarriedSources::new(geometry, sources)?;
+    let distance = carried.distance(heat.distance(carried.sources())?);
+    Ok(Answer { sources: sources.to_vec(), distance, method: Method::Heat, windows: 0 })
 }

@@ -43,6 +43,6 @@ impl Search {
             }
         }
         let method = if propagation.is_exact() { Method::Exact } else { Method::Propagation };
-        Ok(Answer { distance, method, windows: propagation.windows() })
+        Ok(Answer { sources: sources.to_vec(), distance, method, windows: propagation.windows() })
     }
 }

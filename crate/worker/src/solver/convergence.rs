@@ -6,7 +6,6 @@ use js_sys::Float64Array;
 use wasm_bindgen::prelude::*;
 
 use super::Solver;
-use crate::solved::factored;
 
 /// Residuals of the two systems of the heat method, as shares of their right sides.
 #[wasm_bindgen(inspectable)]
@@ -42,8 +41,9 @@ impl Convergence {
 #[wasm_bindgen]
 impl Solver {
     /// Solves the systems of the last field anew, by both linear solvers.
-    pub fn convergence(&self) -> Result<Convergence> {
-        let heat = factored(self.heat.as_ref())?;
-        Ok(Convergence(heat.factorization().convergence(&heat.query(&self.solved()?.sources)?)?))
+    pub fn convergence(&mut self) -> Result<Convergence> {
+        let sources = self.solved()?.solution.answer().sources.clone();
+        let heat = self.factors()?;
+        Ok(Convergence(heat.factorization().convergence(&heat.query(&sources)?)?))
     }
 }

@@ -1,10 +1,8 @@
 //! A surface that moves: in which pose it is shown, and in which distances are measured.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use heatwalk::exact::ExactGeometry;
-use heatwalk::{Distance, HeatSolver, Parameters, Path, Surface};
+use heatwalk::{Distance, Path};
 use heatwalk_bindings::Result;
 use wasm_bindgen::prelude::*;
 
@@ -15,12 +13,12 @@ use crate::results::{DrawPose, SurfacePath};
 impl Solver {
     /// The last field on the surface as it is shown.
     pub(super) fn shown_distance(&self) -> Result<Distance> {
-        Ok(self.solved()?.distance.carried(self.geometry.surface(), &self.shown)?)
+        Ok(self.solved()?.distance().carried(self.solver.surface(), &self.shown)?)
     }
 
     /// A path as it is shown, and from now on in every pose.
     pub(super) fn shown_path(&mut self, path: Path) -> Result<SurfacePath> {
-        let shown = path.carried(self.geometry.surface(), &self.shown)?;
+        let shown = path.carried(self.solver.surface(), &self.shown)?;
         let drawn = self.drawn_path(&path, &shown);
         self.path = Some(path);
         Ok(drawn)
@@ -28,31 +26,7 @@ impl Solver {
 
     fn drawn_path(&self, path: &Path, shown: &Path) -> SurfacePath {
         let costs = self.ground.costs.as_ref();
-        SurfacePath::of(self.geometry.surface(), path, shown, costs, &self.drawn.transform)
-    }
-
-    /// Factors for a surface with the ground's costs.
-    pub(super) fn factored_for(&self, surface: &Arc<Surface>, parameters: Parameters) -> Result<HeatSolver> {
-        let go_on = &mut |_, _| ControlFlow::Continue(());
-        Ok(HeatSolver::weighted(Arc::clone(surface), self.ground.costs.clone(), parameters, go_on)?)
-    }
-
-    /// Measures on this surface, a pose of the one so far, from now on.
-    fn measure_on(&mut self, surface: &Arc<Surface>) -> Result<()> {
-        if self.geometry.surface().id() == surface.id() {
-            return Ok(());
-        }
-        let heat = match &self.heat {
-            Some(heat) => Some(self.factored_for(surface, heat.parameters())?),
-            None => None,
-        };
-        let geometry = match &heat {
-            Some(heat) if self.ground.costs.is_none() => ExactGeometry::clone(heat.exact_geometry()),
-            _ => ExactGeometry::new(Arc::clone(surface)),
-        };
-        (self.heat, self.is_stale) = (heat, false);
-        self.lay_out(geometry);
-        Ok(())
+        SurfacePath::of(self.solver.surface(), path, shown, costs, &self.drawn.transform)
     }
 }
 
@@ -61,7 +35,7 @@ impl Solver {
     /// Shows the surface as it is so many seconds after the beginning of an animation, or without one in its file; none where it
     /// does not move. Distances are `measured` in that pose from now on, and the last field is forgotten; or in that of the file.
     pub fn pose(&mut self, clip: Option<u32>, seconds: f64, measured: bool) -> Result<Option<DrawPose>> {
-        let of_file = self.of_file();
+        let of_file = Arc::clone(self.solver.parted());
         let Some(posing) = &mut self.posing else { return Ok(None) };
         posing.take(moment(clip, seconds))?;
         let posed = DrawPose::new(posing.draw(&self.drawn.transform));
@@ -70,7 +44,10 @@ impl Solver {
             Some(_) => Arc::new(of_file.posed(posing.positions(&of_file))),
         };
         let metric = if measured { Arc::clone(&self.shown) } else { of_file };
-        self.measure_on(&metric)?;
+        if metric.id() != self.solver.surface().id() {
+            self.solver.set_pose(&metric)?;
+            self.forget();
+        }
         if let Some(crowd) = &mut self.crowd {
             crowd.carry(Arc::clone(&self.shown))?;
         }
@@ -81,7 +58,7 @@ impl Solver {
     /// The path that was traced last, as it is shown; none where distances are measured in another pose by now.
     pub fn posed_path(&self) -> Option<SurfacePath> {
         let path = self.path.as_ref()?;
-        let shown = path.carried(self.geometry.surface(), &self.shown).ok()?;
+        let shown = path.carried(self.solver.surface(), &self.shown).ok()?;
         Some(self.drawn_path(path, &shown))
     }
 }

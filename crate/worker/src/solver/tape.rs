@@ -1,28 +1,20 @@
 //! Lengths between two places, and areas within closed curves, beside the field and without touching it.
 
-use std::sync::Arc;
-
-use heatwalk::{
-    FaceId, Path, PathPoint, PathSearch, Place, Source, Surface, SurfacePoint, descend, enclosed, refract, straighten,
-};
+use heatwalk::{FaceId, Path, PathPoint, Place, Source, Surface, SurfacePoint, enclosed};
 use heatwalk_bindings::Result;
 use wasm_bindgen::prelude::*;
 
-use super::Solver;
-use crate::measuring::{Enclosure, Leg, Measuring};
-
-/// Windows of each half-edge by which a length is estimated, and where costs refract them.
-const WINDOWS: u16 = 1;
-const REFRACTED_WINDOWS: u16 = 4;
+use super::{Solver, go_on};
+use crate::measuring::{Enclosure, Leg};
 
 impl Solver {
     fn ends(&self, from: &JsValue, to: &JsValue) -> Result<[SurfacePoint; 2]> {
-        let surface = self.geometry.surface();
+        let surface = self.solver.surface();
         Ok([self.drawn.point(surface, from)?, self.drawn.point(surface, to)?])
     }
 
     fn leg(&self, path: &Path) -> Leg {
-        let surface = &**self.geometry.surface();
+        let surface = &**self.solver.surface();
         let numbers = self.drawn.triangles();
         let face_of = |point: &PathPoint| {
             let faces = point.location.faces(surface);
@@ -68,19 +60,8 @@ impl Solver {
         #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] to: &JsValue,
         work: u32,
     ) -> Result<Option<Leg>> {
-        let ends = self.ends(from, to)?;
-        let is_same = |begun: &Measuring| begun.ends == ends && Arc::ptr_eq(&begun.geometry, &self.geometry);
-        let mut measuring = match self.measuring.take().filter(is_same) {
-            Some(begun) => begun,
-            None => {
-                let search = PathSearch::new(&self.geometry, ends[0], &[Source::from(ends[1])])?;
-                Measuring { geometry: Arc::clone(&self.geometry), ends, search }
-            }
-        };
-        let path = measuring.search.step(work as usize)?;
-        if path.is_none() {
-            self.measuring = Some(measuring);
-        }
+        let [from, to] = self.ends(from, to)?;
+        let path = self.solver.search_path(&mut self.measuring, from, &[Source::from(to)], work as usize)?;
         Ok(path.map(|path| self.leg(&path)))
     }
 
@@ -91,20 +72,13 @@ impl Solver {
         #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] to: &JsValue,
     ) -> Result<Leg> {
         let [from, to] = self.ends(from, to)?;
-        let windows = if self.geometry.costs().is_some() { REFRACTED_WINDOWS } else { WINDOWS };
-        let distance = self.propagated_distance(&[Source::from(to)], windows, false)?;
-        let surface = self.geometry.surface();
-        let steepest = descend(surface, &distance, from)?;
-        let path = match self.geometry.costs() {
-            Some(costs) => refract(surface, costs, &steepest)?,
-            None => straighten(surface, &steepest)?,
-        };
+        let path = self.solver.path_between(from, to, &mut go_on)?;
         Ok(self.leg(&path))
     }
 
     /// What a closed curve of legs encloses: `triangles` and `weights` of all of them, and how many points each has.
     pub fn enclosed(&self, triangles: &[u32], weights: &[f64], counts: &[u32]) -> Result<Enclosure> {
-        let surface = self.geometry.surface();
+        let surface = self.solver.surface();
         let (mut triangles, mut weights) = (triangles, weights);
         let mut paths = Vec::with_capacity(counts.len());
         for &count in counts {

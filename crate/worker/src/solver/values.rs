@@ -23,7 +23,7 @@ impl Solver {
 
     /// `#V`, the last field.
     pub fn distances(&self) -> Result<Float64Array> {
-        let values: Vec<f64> = self.solved()?.distance.values.iter().copied().collect();
+        let values: Vec<f64> = self.solved()?.distance().values.iter().copied().collect();
         Ok(values.as_slice().into())
     }
 
@@ -31,7 +31,7 @@ impl Solver {
     /// unit; none without a path.
     pub fn path_profile(&self) -> Result<Option<Float64Array>> {
         let Some(path) = &self.path else { return Ok(None) };
-        let (surface, distance) = (self.geometry.surface(), &self.solved()?.distance);
+        let (surface, distance) = (self.solver.surface(), self.solved()?.distance());
         let mut length = 0.0;
         let mut numbers = Vec::with_capacity(2 * path.points.len());
         let mut before = None;

@@ -68,6 +68,10 @@ impl Triangles {
         &self.surface
     }
 
+    pub(super) fn costs(&self) -> Option<&Costs> {
+        self.costs.as_ref()
+    }
+
     pub(super) fn operators(&self) -> &Operators {
         &self.operators
     }
@@ -166,7 +170,8 @@ impl HeatDiscretization for Triangles {
 /// Bounds on a surface whose faces have costs, or not.
 fn bounds(geometry: &ExactGeometry, costs: Option<&Costs>) -> Bounds {
     let surface = geometry.surface();
-    let cost = |face: u32| costs.map_or(1.0, |costs| costs.of(FaceId(face)));
+    // A cost that all faces have is in the lengths of the geometry.
+    let cost = |face: u32| geometry.costs().map_or(1.0, |costs| costs.of(FaceId(face)));
     let edge = |halfedge: HalfedgeId| {
         let (frame, k) = geometry.frame_of(halfedge.0);
         let faces = geometry.across(halfedge.0).map(|(other, _)| other / 3);

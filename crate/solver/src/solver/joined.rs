@@ -1,12 +1,12 @@
-//! What joins the components of the open surface, kept so that another number of links is not searched anew.
+//! What joins the components of a surface, kept so that another number of links is not searched anew.
 
-use std::mem;
+use std::num::NonZeroUsize;
 use std::sync::Arc;
 
-use heatwalk::{BridgeRule, Bridges, Link, Surface};
+use heatwalk_surface::{BridgeRule, Bridges, Link, Surface};
 
 /// Bridges by a rule, and links between the groups that these leave apart.
-#[derive(Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Joined {
     /// The rule, and the surface in the pose that was searched; none before the first search.
     searched: Option<(BridgeRule, Arc<Surface>)>,
@@ -20,23 +20,28 @@ pub struct Joined {
     bridges: Bridges,
 }
 
+/// By no rule, and without links.
+impl From<Bridges> for Joined {
+    fn from(bridges: Bridges) -> Self {
+        Self { found: bridges.clone(), bridges, ..Self::default() }
+    }
+}
+
 impl Joined {
-    /// Joins components where they meet on a surface, by a rule, and so many pairs of groups beyond that as are nearest. Whether
-    /// that changes the portals.
-    pub fn join(&mut self, surface: &Arc<Surface>, rule: BridgeRule, links: usize) -> bool {
+    /// Joins components where they meet on a surface, by a rule, and so many pairs of groups beyond that as are nearest; searches on
+    /// so many threads.
+    pub fn join(&mut self, surface: &Arc<Surface>, rule: BridgeRule, links: usize, threads: NonZeroUsize) {
         let is_found = |(by, on): &(BridgeRule, Arc<Surface>)| *by == rule && on.id() == surface.id();
         if !self.searched.as_ref().is_some_and(is_found) {
             self.searched = Some((rule, Arc::clone(surface)));
-            self.found = Bridges::find(surface, rule);
+            self.found = Bridges::find_on_threads(surface, rule, threads);
             self.links = None;
         }
         self.linked = 0;
         if links > 0 {
             self.linked = self.links.get_or_insert_with(|| self.found.links(surface)).len().min(links);
         }
-        let bridges = self.found.linked(surface, self.linked());
-        let before = mem::replace(&mut self.bridges, bridges);
-        before.portals() != self.bridges.portals()
+        self.bridges = self.found.linked(surface, self.linked());
     }
 
     /// All that is joined, links too.
@@ -44,18 +49,23 @@ impl Joined {
         &self.bridges
     }
 
+    /// The surface in the pose that was searched; none where nothing was.
+    pub fn surface(&self) -> Option<&Arc<Surface>> {
+        self.searched.as_ref().map(|(_, surface)| surface)
+    }
+
     /// Pairs of components that meet by the rule alone.
     pub fn contact_count(&self) -> usize {
         self.found.contacts().len()
     }
 
-    /// The links that are taken.
+    /// The links that are taken, from the narrowest gap to the widest.
     pub fn linked(&self) -> &[Link] {
         self.links.as_ref().map_or(&[], |links| &links[..self.linked])
     }
 
     /// The least number of links with which more is reached from these components than now; the number of now where there is none.
-    pub fn links_to_reach_more(&mut self, components: &[u32]) -> usize {
+    pub(super) fn links_to_reach_more(&mut self, components: &[u32]) -> usize {
         let Some((_, surface)) = &self.searched else { return 0 };
         let bridges = &self.bridges;
         let links = self.links.get_or_insert_with(|| self.found.links(surface));
