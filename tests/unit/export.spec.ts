@@ -101,7 +101,7 @@ test('sets of sources are sources of the command line, with their initial distan
   const state = { ...STATE, sets: [set] };
   expect(commandLine({ ...MEASURED, state })).toContain('--source 7 --source 3@2 --source 5@3 --method');
   const many = { ...set, points: Array.from({ length: 3000 }, (_, vertex) => ({ vertex })) };
-  expect(() => commandLine({ ...MEASURED, state: { ...STATE, sets: [many] } })).toThrow('room for 2000 sources');
+  expect(() => commandLine({ ...MEASURED, state: { ...STATE, sets: [many] } })).toThrow('room for 2,000 sources');
 });
 
 test('the eye is where yaw and pitch say', () => {

@@ -9,7 +9,7 @@ test('isolines are at a spacing, at values, or where the stripes are', () => {
   expect(() => parseIsolines('0.5, far')).toThrow('far is no distance');
   expect(() => parseIsolines('-1')).toThrow('-1 is no distance');
   expect(() => parseIsolines('0')).toThrow('A spacing of 0');
-  expect(() => parseIsolines('1,'.repeat(1001))).toThrow('1001 values are too many');
+  expect(() => parseIsolines('1,'.repeat(1001))).toThrow('1,001 values are too many');
 });
 
 test('a link and the field of the panel say the same of them', () => {
