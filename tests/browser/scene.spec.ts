@@ -57,9 +57,8 @@ for (const [name, content] of [
 ] as const) {
   test(`a dropped ${name} opens and is solved`, async ({ heatwalk, page }) => {
     await heatwalk.open();
-    await heatwalk.drop([[name, content]]);
+    await heatwalk.dropAndOpen([[name, content]]);
     await expect(page.getByText(`${name}:`)).toBeVisible();
-    await heatwalk.rest();
     const mesh = await heatwalk.mesh();
     expect(mesh).toMatchObject({
       triangles: BALL.triangles.length,
