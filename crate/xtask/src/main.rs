@@ -4,6 +4,7 @@
 mod cycles;
 mod modules;
 mod toolchain;
+mod wasm_tests;
 mod workspace;
 
 use std::path::Path;
@@ -28,7 +29,7 @@ fn main() -> Result<()> {
             modules::build_all_quickly(&Toolchain::find()?)
         }
         ["contract"] => heatwalk_contract::write(workspace()),
-        ["test-wasm", names @ ..] => modules::test(&Toolchain::find()?, names),
+        ["test-wasm", names @ ..] => wasm_tests::run_all(&Toolchain::find()?, names),
         ["clippy-wasm"] => modules::clippy(&Toolchain::find()?),
         ["cycles"] => cycles::check(Path::new("crate")),
         ["cycles", folder] => cycles::check(Path::new(folder)),

@@ -1,15 +1,12 @@
-//! The wasm modules of the page and what is run on them.
+//! The wasm modules of the page.
 
 use std::fs;
-use std::num::NonZero;
 use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::sync::Mutex;
+use std::process::Command;
 use std::thread;
 
-use anyhow::{Context, Result, anyhow, ensure};
-use serde_json::Value;
+use anyhow::{Context, Result, ensure};
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::toolchain::{TARGET, Toolchain};
@@ -23,7 +20,7 @@ pub struct Module {
     /// What the files of the module and its bindings are called.
     file: &'static str,
     /// Compiler flags.
-    flags: &'static [&'static str],
+    pub flags: &'static [&'static str],
     /// The target folder of the published module: one for packages that are compiled alike.
     folder: &'static str,
     /// The profile of Cargo.toml that it is published with.
@@ -104,16 +101,9 @@ const APART: [&Module; 1] = [&INTERIOR];
 /// The two are one package with different features.
 const VIEWERS: [&[&Module]; 2] = [&[&VIEWER_WEBGL2], &[&VIEWER_WEBGPU]];
 
-/// The packages whose tests run on wasm32 too.
-const TESTED: [&str; 6] =
-    ["heatwalk-sparse", "heatwalk-surface", "heatwalk-shapes", "heatwalk", "heatwalk-volume", "heatwalk-scene"];
-
-/// The folders of the crates whose tests take longest.
-const FIRST: [&str; 2] = ["crate/solver", "crate/volume"];
-
 /// The profile and the target folder of all that is not published: modules to develop and test with, tests, and lints.
-const QUICK: &str = "quick";
-const QUICK_FOLDER: &str = "wasm-quick";
+pub const QUICK: &str = "quick";
+pub const QUICK_FOLDER: &str = "wasm-quick";
 
 impl Module {
     /// Cargo's arguments for the package and its features.
@@ -130,7 +120,7 @@ impl Module {
 }
 
 /// `cargo COMMAND` that builds in a folder of `target` with compiler flags.
-fn cargo(toolchain: &Toolchain, command: &str, folder: &str, flags: &[&str]) -> Command {
+pub fn cargo(toolchain: &Toolchain, command: &str, folder: &str, flags: &[&str]) -> Command {
     let flags: Vec<String> = flags.iter().map(ToString::to_string).chain(shortened()).collect();
     let mut cargo = toolchain.cargo(command);
     cargo.current_dir(workspace()).env("CARGO_TARGET_DIR", workspace().join("target").join(folder));
@@ -203,70 +193,6 @@ fn bind(module: &Module, compiled: &Path) -> Result<()> {
     Ok(fs::write(stamped, stamp)?)
 }
 
-/// Runs the tests that depend on numbers, those of one name where it is given, on wasm32 under Node: each program in one
-/// core, so that as many run beside each other as there are cores.
-pub fn test(toolchain: &Toolchain, names: &[&str]) -> Result<()> {
-    eprintln!("Running the solver's tests on wasm32.");
-    let programs = test_programs(toolchain)?;
-    let runner = test_runner()?;
-    let (waiting, failed) = (Mutex::new(programs.iter()), Mutex::new(Vec::new()));
-    let run_in_turn = || -> Result<()> {
-        while let Some(program) = { waiting.lock().map_or(None, |mut waiting| waiting.next()) } {
-            let output = Command::new(&runner).arg(&program.file).args(names).current_dir(&program.folder).output()?;
-            let said = [output.stdout, output.stderr].map(|said| String::from_utf8_lossy(&said).into_owned());
-            eprintln!("{}\n{}", program.file.display(), said.concat());
-            if !output.status.success() {
-                failed.lock().map_err(|_| anyhow!("Another program of tests could not be run"))?.push(&program.file);
-            }
-        }
-        Ok(())
-    };
-    thread::scope(|scope| {
-        let cores = thread::available_parallelism().map_or(1, NonZero::get);
-        let runs: Vec<_> = (0..cores).map(|_| scope.spawn(run_in_turn)).collect();
-        runs.into_iter().try_for_each(|run| run.join().unwrap_or_else(|panic| resume_unwind(panic)))
-    })?;
-    let failed = failed.into_inner().unwrap_or_default();
-    ensure!(failed.is_empty(), "Tests failed in {failed:?}");
-    Ok(())
-}
-
-/// Tests of a crate, compiled for wasm32.
-struct TestProgram {
-    file: PathBuf,
-    /// That of the crate.
-    folder: PathBuf,
-}
-
-/// Compiles the tests, those first that take longest.
-fn test_programs(toolchain: &Toolchain) -> Result<Vec<TestProgram>> {
-    let mut build = cargo(toolchain, "test", QUICK_FOLDER, SOLVER.flags);
-    build.args(["--profile", QUICK, "--tests", "--no-run", "--message-format", "json-render-diagnostics"]);
-    build.args(TESTED.iter().flat_map(|package| ["--package", package])).stderr(Stdio::inherit());
-    let output = build.output().with_context(|| format!("{build:?} could not be started"))?;
-    ensure!(output.status.success(), "The step above failed: {}", output.status);
-    let messages =
-        String::from_utf8(output.stdout)?.lines().map(serde_json::from_str).collect::<Result<Vec<Value>, _>>()?;
-    let program = |message: &Value| {
-        let folder = Path::new(message["manifest_path"].as_str()?).parent()?.to_owned();
-        Some(TestProgram { file: message["executable"].as_str()?.into(), folder })
-    };
-    let mut programs: Vec<TestProgram> = messages.iter().filter_map(program).collect();
-    let place = |program: &TestProgram| FIRST.iter().position(|folder| program.folder.ends_with(folder));
-    programs.sort_by_key(|program| place(program).unwrap_or(FIRST.len()));
-    Ok(programs)
-}
-
-/// Compiles what runs tests under Node.
-fn test_runner() -> Result<PathBuf> {
-    run(Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into())).current_dir(workspace()).args([
-        "build",
-        "--package",
-        "wasm-test-runner",
-    ]))?;
-    Ok(std::env::current_exe()?.with_file_name(format!("wasm-test-runner{}", std::env::consts::EXE_SUFFIX)))
-}
-
 /// Lints the code of the modules as it is compiled for wasm32.
 pub fn clippy(toolchain: &Toolchain) -> Result<()> {
     let (flags, last) = toolchain.deny_warnings();
@@ -291,7 +217,7 @@ fn shortened() -> Vec<String> {
     flags
 }
 
-fn run(command: &mut Command) -> Result<()> {
+pub fn run(command: &mut Command) -> Result<()> {
     let status = command.status().with_context(|| format!("{command:?} could not be started"))?;
     ensure!(status.success(), "The step above failed: {status}");
     Ok(())
