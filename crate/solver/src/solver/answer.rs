@@ -18,6 +18,15 @@ pub struct Answer {
 }
 
 impl Answer {
+    /// The same with the distances so many times as large, but not those of its sources.
+    pub(super) fn times(mut self, factor: f64) -> Self {
+        let Distance { values, exact_below, crossings, .. } = &mut self.distance;
+        values.iter_mut().for_each(|value| *value *= factor);
+        *exact_below *= factor;
+        crossings.iter_mut().for_each(|crossing| crossing.distance *= factor);
+        self
+    }
+
     /// Whether all values are exact.
     pub fn is_exact(&self) -> bool {
         self.distance.exact_below == f64::INFINITY

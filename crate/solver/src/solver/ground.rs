@@ -6,6 +6,7 @@ use super::{Answer, DistanceSolver, Joined};
 use crate::cost::Costs;
 use crate::error::Result;
 use crate::exact::ExactGeometry;
+use crate::heat::HeatSolver;
 use heatwalk_surface::{BridgeRule, Bridges, Source, Surface, Walls};
 
 impl DistanceSolver {
@@ -135,24 +136,30 @@ impl DistanceSolver {
 
     /// The geometry with the present bridges and costs.
     pub(super) fn laid_out(&mut self) -> Arc<ExactGeometry> {
-        let bridges = self.bridges();
-        let heat = self.heat.as_ref().filter(|heat| self.is_present(heat));
-        if let Some(heat) = heat.filter(|_| bridges.portals().is_empty()) {
-            return Arc::clone(heat.exact_geometry());
-        }
-        let unfolded = || match heat.filter(|_| self.costs.is_none()) {
-            Some(heat) => ExactGeometry::clone(heat.exact_geometry()),
-            None => ExactGeometry::on_threads(Arc::clone(&self.surface), self.threads),
+        let Some(costs) = self.costs.clone() else {
+            self.unfolded();
+            return self.plain.take().expect("it was made just now");
         };
-        let plain = self.plain.take().unwrap_or_else(|| Arc::new(unfolded().bridged(&bridges)));
-        match &self.costs {
-            None => plain,
-            Some(costs) => {
-                let geometry = Arc::new(ExactGeometry::clone(&plain).weighted(costs));
-                self.plain = Some(plain);
-                geometry
-            }
+        let is_weighted = |heat: &&HeatSolver| heat.factorization().costs().is_some() && self.is_present(heat);
+        match self.heat.as_ref().filter(is_weighted) {
+            Some(heat) if self.bridges().portals().is_empty() => Arc::clone(heat.exact_geometry()),
+            _ => Arc::new(ExactGeometry::clone(self.unfolded()).weighted(&costs)),
         }
+    }
+
+    /// The geometry with the present bridges, without costs.
+    pub(super) fn unfolded(&mut self) -> &Arc<ExactGeometry> {
+        let plain = self.plain.take().unwrap_or_else(|| {
+            let is_plain =
+                |heat: &&HeatSolver| heat.factorization().costs().is_none() && heat.surface().id() == self.surface.id();
+            let (bridges, heat) = (self.bridges(), self.heat.as_ref().filter(is_plain));
+            match heat.map(HeatSolver::exact_geometry) {
+                Some(geometry) if bridges.portals().is_empty() => Arc::clone(geometry),
+                Some(geometry) => Arc::new(ExactGeometry::clone(geometry).bridged(&bridges)),
+                None => Arc::new(ExactGeometry::on_threads(Arc::clone(&self.surface), self.threads).bridged(&bridges)),
+            }
+        });
+        self.plain.insert(plain)
     }
 
     /// The bridges of the surface that is asked.

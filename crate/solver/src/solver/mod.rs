@@ -94,9 +94,9 @@ impl DistanceSolver {
         options.check()?;
         if options.method == Method::Heat {
             self.factored(options.heat, progress)?;
-        } else if self.geometry.is_none() {
+        } else if self.geometry.is_none() && self.plain.is_none() {
             memory::require(BYTES_PER_FACE * self.surface.face_count() as u64, "unfolding the triangles")?;
-            self.exact_geometry();
+            self.asked();
         }
         Ok(())
     }
@@ -114,11 +114,13 @@ impl DistanceSolver {
     ) -> Result<Answer> {
         let sources = one_a_place(&self.surface, self.checked(sources)?);
         self.prepare(options, progress)?;
-        let geometry = Arc::clone(self.exact_geometry());
-        match self.propagation(options)? {
-            Some(propagation) => self.searches(1)[0].answer(&geometry, &sources, (options, propagation), progress),
-            None => by_heat(self.factored(options.heat, progress)?, &geometry, &sources),
-        }
+        let (geometry, cost) = self.asked();
+        let (options, scaled) = (&options.per(cost), self.per(cost, &sources)?);
+        let answer = match self.propagation(options)? {
+            Some(propagation) => self.searches(1)[0].answer(&geometry, &scaled, (options, propagation), progress),
+            None => by_heat(self.factored(options.heat, progress)?, &geometry, &scaled),
+        };
+        Ok(Answer { sources, ..answer?.times(cost) })
     }
 
     /// The distances from each source by itself, in the order of the sources, on so many threads. They are those that
@@ -139,17 +141,21 @@ impl DistanceSolver {
         let sources = self.checked(sources)?;
         self.prepare(options, progress)?;
         let (count, threads) = (sources.len(), threads.get().min(sources.len()));
-        let geometry = Arc::clone(self.exact_geometry());
-        let Some(propagation) = self.propagation(options)? else {
+        let (geometry, cost) = self.asked();
+        let (options, scaled) = (&options.per(cost), self.per(cost, &sources)?);
+        let answers = if let Some(propagation) = self.propagation(options)? {
+            let answer = |search: &mut Search, question: usize| {
+                let go_on = &mut |_| ControlFlow::Continue(());
+                search.answer(&geometry, &scaled[question..][..1], (options, propagation), go_on)
+            };
+            questions::answers(self.searches(threads), count, answer, progress)
+        } else {
             let heat = self.factored(options.heat, progress)?;
-            let answer = |heat: &mut &HeatSolver, question: usize| by_heat(heat, &geometry, &sources[question..][..1]);
-            return questions::answers(&mut vec![heat; threads], count, answer, progress);
+            let answer = |heat: &mut &HeatSolver, question: usize| by_heat(heat, &geometry, &scaled[question..][..1]);
+            questions::answers(&mut vec![heat; threads], count, answer, progress)
         };
-        let answer = |search: &mut Search, question: usize| {
-            let go_on = &mut |_| ControlFlow::Continue(());
-            search.answer(&geometry, &sources[question..][..1], (options, propagation), go_on)
-        };
-        questions::answers(self.searches(threads), count, answer, progress)
+        let asked = |(answer, source): (Answer, Source)| Answer { sources: vec![source], ..answer.times(cost) };
+        Ok(answers?.into_iter().zip(sources).map(asked).collect())
     }
 
     /// The surface that is asked: as walls part it, in the pose in which distances are measured.
@@ -184,6 +190,26 @@ impl DistanceSolver {
         sources.iter().map(|source| Ok(source.to_source(&self.surface)?)).collect()
     }
 
+    /// The geometry that distances are computed on, and what they are multiplied by: a cost that all faces have, without which they
+    /// are computed, so that its rounding does not choose between equally good windows.
+    fn asked(&mut self) -> (Arc<ExactGeometry>, f64) {
+        match self.constant_cost() {
+            Some(cost) => (Arc::clone(self.unfolded()), cost),
+            None => (Arc::clone(self.exact_geometry()), 1.0),
+        }
+    }
+
+    /// The cost of all faces, where they have one.
+    fn constant_cost(&self) -> Option<f64> {
+        self.costs.as_ref().and_then(Costs::constant)
+    }
+
+    /// Sources where all lengths are so many times as small.
+    fn per(&self, factor: f64, sources: &[Source]) -> Result<Vec<Source>> {
+        let scaled = |source: &Source| Ok(self.surface.source(source.point(), source.initial_distance() / factor)?);
+        sources.iter().map(scaled).collect()
+    }
+
     /// The costs, where they are not the same everywhere.
     fn several_costs(&self) -> Option<&Costs> {
         self.costs.as_ref().filter(|costs| costs.constant().is_none())
@@ -199,7 +225,7 @@ impl DistanceSolver {
 
     /// Whether factors are for the surface with its present costs.
     fn is_present(&self, heat: &HeatSolver) -> bool {
-        let is_same_cost = match (heat.factorization().costs(), &self.costs) {
+        let is_same_cost = match (heat.factorization().costs(), self.several_costs()) {
             (Some(own), Some(costs)) => own.is_same(costs),
             (own, costs) => own.is_none() && costs.is_none(),
         };
@@ -211,7 +237,8 @@ impl DistanceSolver {
         let progress = &mut |stage, done| progress(Step::Precompute(stage, done));
         // Old factors go before new ones are made.
         let Some(mut solver) = self.heat.take().filter(|heat| self.is_present(heat)) else {
-            let solver = HeatSolver::weighted(Arc::clone(&self.surface), self.costs.clone(), parameters, progress)?;
+            let solver =
+                HeatSolver::weighted(Arc::clone(&self.surface), self.several_costs().cloned(), parameters, progress)?;
             return Ok(self.heat.insert(solver));
         };
         let changed = solver.set_parameters(parameters, progress);

@@ -71,6 +71,11 @@ impl DistanceOptions {
         Ok(())
     }
 
+    /// The same where all lengths are so many times as small.
+    pub(super) fn per(&self, factor: f64) -> Self {
+        Self { max_distance: self.max_distance / factor, ..*self }
+    }
+
     /// How windows are propagated on a surface of so many faces; `None` for heat.
     pub(super) fn propagation(&self, faces: usize) -> Option<PropagationOptions> {
         let propagation = PropagationOptions { windows: self.windows, carriers: self.carriers, ..Default::default() };

@@ -87,8 +87,9 @@ impl DistanceSolver {
     }
 
     fn begin(&mut self, answer: &Answer) -> Result<Refining> {
-        // Where paths cross portals, heat knows nothing of the components beyond.
-        if answer.method == Method::Heat && answer.distance.crossings.is_empty() {
+        // Heat knows nothing of the components beyond portals, nor of a cost that all faces have.
+        let is_of_heat = answer.distance.crossings.is_empty() && self.constant_cost().is_none();
+        if answer.method == Method::Heat && is_of_heat {
             return Ok(Refining::Heat(self.factors()?.refine(&answer.sources)?));
         }
         let lengths = answer.distance.clone();
