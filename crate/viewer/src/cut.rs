@@ -66,7 +66,6 @@ impl CutRenderer {
         (context, shared, surfaces): (&Context, &Shared, &SurfaceRenderer),
     ) -> wgpu::RenderPipeline {
         let (vertex, buffers) = vertices(has_field, is_tinted);
-        let vertex = format!("{vertex}_cut");
         let (fragment, place) = match (which, has_field) {
             (Part::Body, true) => ("fs_field_cut", Place::Solid),
             (Part::Body, false) => ("fs_plain_cut", Place::Solid),
@@ -77,7 +76,7 @@ impl CutRenderer {
             label: "cut surface",
             layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout), Some(&surfaces.style_layout)],
             module: &self.module,
-            vertex: &vertex,
+            vertex,
             fragment,
             buffers: &buffers,
             topology: wgpu::PrimitiveTopology::TriangleList,

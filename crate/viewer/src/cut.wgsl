@@ -14,62 +14,22 @@ fn span(position: vec3f) -> f32 {
     return min(length(vec2f(dpdx(away), dpdy(away))), MOST_SLANT * pixel);
 }
 
-struct CutFragment {
-    @builtin(position) clip: vec4f,
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    @location(2) distance: f32,
-    @location(3) reached: f32,
-    @location(4) tangent: vec3f,
-    @location(5) tint: vec4f,
-    // A place of the triangle: that in the middle of a pixel at a contour may be far beside it.
-    @location(6) @interpolate(perspective, centroid) place: vec3f,
-}
-
-fn cut(at: Fragment) -> CutFragment {
-    return CutFragment(at.clip, at.position, at.normal, at.distance, at.reached, at.tangent, at.tint, at.position);
-}
-
-fn uncut(at: CutFragment) -> Fragment {
-    return Fragment(at.clip, at.position, at.normal, at.distance, at.reached, at.tangent, at.tint);
-}
-
-@vertex
-fn vs_plain_cut(vertex: Vertex) -> CutFragment {
-    return cut(without_field(vertex, vec4f(0.0)));
-}
-
-@vertex
-fn vs_plain_tinted_cut(vertex: Vertex, @location(6) tint: vec4f) -> CutFragment {
-    return cut(without_field(vertex, tint));
-}
-
-@vertex
-fn vs_field_cut(vertex: Vertex, field: FieldVertex) -> CutFragment {
-    return cut(with_field(vertex, field, vec4f(0.0)));
-}
-
-@vertex
-fn vs_field_tinted_cut(vertex: Vertex, field: FieldVertex, @location(6) tint: vec4f) -> CutFragment {
-    return cut(with_field(vertex, field, tint));
-}
-
 // Whether a fragment is away, or in a pixel that the plane may run through: those are the rim.
-fn is_away(fragment: CutFragment) -> bool {
+fn is_away(fragment: Fragment) -> bool {
     return beyond(fragment.place).w > -SLACK * span(fragment.position);
 }
 
 @fragment
-fn fs_field_cut(fragment: CutFragment) -> @location(0) vec4f {
-    return kept(paint_field(uncut(fragment)), fragment);
+fn fs_field_cut(fragment: Fragment) -> @location(0) vec4f {
+    return kept(paint_field(fragment), fragment);
 }
 
 @fragment
-fn fs_plain_cut(fragment: CutFragment) -> @location(0) vec4f {
-    return kept(paint_plain(uncut(fragment)), fragment);
+fn fs_plain_cut(fragment: Fragment) -> @location(0) vec4f {
+    return kept(paint_plain(fragment), fragment);
 }
 
-fn kept(painted: Painted, fragment: CutFragment) -> vec4f {
+fn kept(painted: Painted, fragment: Fragment) -> vec4f {
     if is_away(fragment) {
         discard;
     }
@@ -92,7 +52,7 @@ struct Rim {
 // behind the surface, the rim is drawn a little beyond the plane and gives way to the section in depth, so that it fills just
 // those samples that the section leaves. Elsewhere it fades over the pixel, over the section where there is one; what is seen
 // from inside has no rim there.
-fn rim(fragment: CutFragment, is_outside: bool) -> Rim {
+fn rim(fragment: Fragment, is_outside: bool) -> Rim {
     let beyond = beyond(fragment.place);
     let span = span(fragment.position);
     let from_eye = fragment.place - frame.eye;
@@ -111,16 +71,16 @@ fn rim(fragment: CutFragment, is_outside: bool) -> Rim {
 }
 
 @fragment
-fn fs_field_rim(fragment: CutFragment) -> RimPixel {
-    return rim_pixel(paint_field(uncut(fragment)), fragment);
+fn fs_field_rim(fragment: Fragment) -> RimPixel {
+    return rim_pixel(paint_field(fragment), fragment);
 }
 
 @fragment
-fn fs_plain_rim(fragment: CutFragment) -> RimPixel {
-    return rim_pixel(paint_plain(uncut(fragment)), fragment);
+fn fs_plain_rim(fragment: Fragment) -> RimPixel {
+    return rim_pixel(paint_plain(fragment), fragment);
 }
 
-fn rim_pixel(painted: Painted, fragment: CutFragment) -> RimPixel {
+fn rim_pixel(painted: Painted, fragment: Fragment) -> RimPixel {
     let rim = rim(fragment, painted.geometric.w > 0.5);
     if rim.share == 0.0 {
         discard;

@@ -39,58 +39,38 @@ const LEAST_ROUGHNESS = 0.06;
 // Levels coarser than a pixel: what a stripe should stand out from is larger than a texel.
 const SURROUNDINGS_BIAS = 5.0;
 
-struct ModelFragment {
-    @builtin(position) clip: vec4f,
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    // As in `Fragment`.
-    @location(2) distance: f32,
-    @location(3) reached: f32,
-    @location(4) tangent: vec3f,
-    // Two sets.
-    @location(5) texcoords: vec4f,
-    @location(6) color: vec4f,
-    @location(7) tint: vec4f,
-}
-
 // What the file says of a vertex.
 struct ModelVertex {
+    // Two sets.
     @location(4) texcoords: vec4f,
     @location(5) color: vec4f,
 }
 
 @vertex
-fn vs_model(vertex: Vertex, field: FieldVertex, model: ModelVertex) -> ModelFragment {
+fn vs_model(vertex: Vertex, field: FieldVertex, model: ModelVertex) -> Fragment {
     return of_model(with_field(vertex, field, vec4f(0.0)), model);
 }
 
 @vertex
-fn vs_model_tinted(vertex: Vertex, field: FieldVertex, model: ModelVertex, @location(6) tint: vec4f) -> ModelFragment {
+fn vs_model_tinted(vertex: Vertex, field: FieldVertex, model: ModelVertex, @location(6) tint: vec4f) -> Fragment {
     return of_model(with_field(vertex, field, tint), model);
 }
 
 @vertex
-fn vs_model_plain(vertex: Vertex, model: ModelVertex) -> ModelFragment {
+fn vs_model_plain(vertex: Vertex, model: ModelVertex) -> Fragment {
     return of_model(without_field(vertex, vec4f(0.0)), model);
 }
 
 @vertex
-fn vs_model_plain_tinted(vertex: Vertex, model: ModelVertex, @location(6) tint: vec4f) -> ModelFragment {
+fn vs_model_plain_tinted(vertex: Vertex, model: ModelVertex, @location(6) tint: vec4f) -> Fragment {
     return of_model(without_field(vertex, tint), model);
 }
 
-fn of_model(at: Fragment, model: ModelVertex) -> ModelFragment {
-    return ModelFragment(
-        at.clip,
-        at.position,
-        at.normal,
-        at.distance,
-        at.reached,
-        at.tangent,
-        model.texcoords,
-        model.color,
-        at.tint,
-    );
+fn of_model(bare: Fragment, model: ModelVertex) -> Fragment {
+    var fragment = bare;
+    fragment.texcoords = model.texcoords;
+    fragment.color = model.color;
+    return fragment;
 }
 
 fn place_in(texture: TextureUse, texcoords: vec4f) -> vec2f {
@@ -124,7 +104,7 @@ struct Given {
     normal: vec3f,
 }
 
-fn look_up(fragment: ModelFragment, geometric: vec4f) -> Given {
+fn look_up(fragment: Fragment, geometric: vec4f) -> Given {
     let tint = given.base_color * fragment.color;
     let base_place = place_in(given.textures[0], fragment.texcoords);
     let base = tint * textureSample(base_map, base_sampler, base_place);
@@ -162,7 +142,7 @@ fn standing_out(stripe: vec3f, beneath: f32) -> vec3f {
 }
 
 // Alpha for what is blended, 1 for what is not.
-fn painted(fragment: ModelFragment) -> vec4f {
+fn painted(fragment: Fragment) -> vec4f {
     // Derivatives first: they need every pixel of a quad to come along.
     let geometric = normal_to_eye(fragment.position, fragment.normal);
     let brush = outline(fragment.position);
@@ -197,12 +177,12 @@ fn painted(fragment: ModelFragment) -> vec4f {
 }
 
 @fragment
-fn fs_model(fragment: ModelFragment) -> @location(0) vec4f {
+fn fs_model(fragment: Fragment) -> @location(0) vec4f {
     return vec4f(painted(fragment).rgb, 1.0);
 }
 
 @fragment
-fn fs_model_blended(fragment: ModelFragment) -> @location(0) vec4f {
+fn fs_model_blended(fragment: Fragment) -> @location(0) vec4f {
     let color = painted(fragment);
     let alpha = clamp(color.a, 0.0, 1.0);
     return vec4f(color.rgb * alpha, alpha);

@@ -65,6 +65,11 @@ struct Fragment {
     @location(4) tangent: vec3f,
     // Of the ground: color and opacity, 1 for a wall.
     @location(5) tint: vec4f,
+    // A place of the triangle: the position in the middle of a pixel at a contour may be far beside it.
+    @location(6) @interpolate(perspective, centroid) place: vec3f,
+    // What the file says of a vertex; nothing where it is not asked.
+    @location(7) texcoords: vec4f,
+    @location(8) color: vec4f,
 }
 
 // What the field says of a vertex. Distances are shares of the largest one; what is beyond 1, rounding apart, marks an
@@ -85,7 +90,14 @@ fn vs_plain_tinted(vertex: Vertex, @location(6) tint: vec4f) -> Fragment {
 }
 
 fn without_field(vertex: Vertex, tint: vec4f) -> Fragment {
-    return Fragment(to_clip(vertex.position), vertex.position, vertex.normal, 0.0, 1.0, vec3f(0.0), tint);
+    var fragment: Fragment;
+    fragment.clip = to_clip(vertex.position);
+    fragment.position = vertex.position;
+    fragment.normal = vertex.normal;
+    fragment.reached = 1.0;
+    fragment.tint = tint;
+    fragment.place = vertex.position;
+    return fragment;
 }
 
 @vertex
