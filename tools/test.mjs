@@ -1,9 +1,10 @@
 // npm test: checks, the Rust tests, those that depend on numbers on wasm32 too, the page in a real Chromium, Firefox and WebKit.
-// The page is tested as it is published.
+// The modules are those of development, which do the same: none is linked as a whole, which takes minutes.
 // npm test -- WORD: the tests alone that have the word in their name.
-// npm run test:slow: what is slow by nature: a million triangles, videos in real time, every preset.
+// npm run test:slow: what is slow by nature: a million triangles, videos in real time, every preset, in the page as it is
+// published.
 
-import { bundle, bundleSingle, publishModules, TESTED_FILE, TESTED_PAGE } from './bundle.mjs';
+import { buildModules, bundle, bundleSingle, publishModules, TESTED_FILE, TESTED_PAGE } from './bundle.mjs';
 import { lint, lintTheRest } from './checks.mjs';
 import { findFirefox, findMesa, findWebKit, hasSoftwareVulkan, prepare, requireChromium } from './needs.mjs';
 import { findReaders } from './peers.mjs';
@@ -39,11 +40,11 @@ if (isSlow) {
   if (output(process.execPath, list, environment)?.includes('Total: 0 tests')) {
     console.log(`\nNo test of the page has "${word}" in its name.`);
   } else {
-    publishModules();
+    buildModules();
     testPage({}, ['--grep', word]);
   }
 } else {
-  lint(publishModules);
+  lint(buildModules);
   lintTheRest();
   cargo('Running the Rust tests', ['test', ...most, '--lib', '--bins', '--tests', ...all], named, gpu);
   cargo('Running the examples of the documentation', ['test', ...most, '--doc'], named);
