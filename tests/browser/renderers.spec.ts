@@ -26,22 +26,28 @@ const fetched = (paths: Set<string>) => [...paths].flatMap((path) => RENDERER.ex
 
 const backend = ({ page }: HeatwalkPage) => page.evaluate(() => window.heatwalk.backend);
 
-test('the first picture takes few bytes, of renderers only the one that the browser can use', async ({
-  heatwalk,
-  page,
-}) => {
-  const paths = requests(page);
-  // Nothing in the address chooses.
+/** Opens the page, with nothing in the address that chooses; the files until its first picture. */
+async function firstPicture(page: Page): Promise<string[]> {
   await page.goto('./');
   // By the page's own clock: what comes after the first picture is on its way a moment later.
   const addresses = await page.evaluate(async () => {
     await window.heatwalk.ready;
     return performance.getEntriesByType('resource').map(({ name }) => name);
   });
+  return addresses.filter((address) => address.startsWith('http:')).map((address) => basename(address));
+}
+
+test('of the renderers only the one is fetched that the browser can use', async ({ heatwalk, page }) => {
+  const paths = requests(page);
+  await firstPicture(page);
   expect(await backend(heatwalk)).toBe(heatwalk.backend);
   expect(fetched(paths)).toEqual([heatwalk.backend.toLowerCase()]);
-  const assets = addresses.filter((address) => address.startsWith('http:')).map((address) => basename(address));
-  const bytes = ['index.html', ...assets.map((name) => join('assets', name))].map((file) => {
+});
+
+// Of the page as it is published, which the slow tests are about.
+test('the first picture takes few bytes', { tag: '@slow' }, async ({ page }) => {
+  const files = await firstPicture(page);
+  const bytes = ['index.html', ...files.map((name) => join('assets', name))].map((file) => {
     const content = readFileSync(join(PAGE, file));
     return brotliCompressSync(content, { params: { [constants.BROTLI_PARAM_QUALITY]: 11 } }).length;
   });
