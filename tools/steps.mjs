@@ -9,6 +9,9 @@ export const root = fileURLToPath(new URL('..', import.meta.url));
 /** The steps so far and the seconds that each took. */
 const taken = [];
 
+/** Where nothing is compiled a second time, nothing is kept for it either, which would take a tenth of the time. */
+const once = process.env.CI === 'true' ? { CARGO_INCREMENTAL: '0' } : {};
+
 /** Ends the program with a sentence for a person. */
 export function fail(sentence) {
   console.error(`\n${sentence}`);
@@ -27,7 +30,7 @@ export function attempt(saying, command, args, env = {}) {
   const { status, error } = spawnSync(command, args, {
     cwd: root,
     stdio: 'inherit',
-    env: { ...process.env, ...env },
+    env: { ...process.env, ...once, ...env },
   });
   const seconds = (performance.now() - begun) / 1000;
   taken.push([saying, seconds]);
