@@ -5,7 +5,7 @@ use std::time::Instant;
 use anyhow::Result;
 use heatwalk::{
     Answer, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, RelativeError, Source, Surface, VertexData,
-    VertexId, Windows, propagation::ALL,
+    VertexId, Windows, go_on, propagation::ALL,
 };
 use serde_json::{Map, Value, json};
 
@@ -13,7 +13,7 @@ use crate::args::Distance;
 use crate::output::{Columns, Output};
 use crate::question::{Posed, pose};
 use crate::report::{Report, milliseconds};
-use crate::timing::{go_on, median_solve_ms, sample};
+use crate::timing::{median_solve_ms, sample};
 use crate::volume;
 
 pub fn distance(arguments: &Distance) -> Result<String> {

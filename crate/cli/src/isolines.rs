@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Result, bail};
 use glam::DVec3;
+use heatwalk::go_on;
 use heatwalk_curves::{Field, Isolines, Levels, Sheet, Strips, write};
 use serde_json::json;
 
@@ -12,7 +13,6 @@ use crate::distance::facts;
 use crate::output::{CurveFormat, Output};
 use crate::question::{Posed, pose};
 use crate::report::milliseconds;
-use crate::timing::go_on;
 use crate::volume;
 
 pub fn isolines(arguments: &args::Isolines) -> Result<String> {

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::Result;
 use heatwalk::exact::shortest_path;
-use heatwalk::{Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, PathKind, Place, SurfacePoint};
+use heatwalk::{Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, PathKind, Place, SurfacePoint, go_on};
 use serde_json::json;
 
 use crate::args::Path;
@@ -12,7 +12,7 @@ use crate::input::Input;
 use crate::output::Output;
 use crate::question::walkable;
 use crate::report::milliseconds;
-use crate::timing::{go_on, prepare};
+use crate::timing::prepare;
 use crate::volume;
 
 /// A path, the distance that belongs to it, and what they took.

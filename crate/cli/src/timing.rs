@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{Bridges, DistanceOptions, DistanceSolver, Element, Method, Stage, Step, Surface, VertexId, WeldRule};
+use heatwalk::{Bridges, DistanceOptions, DistanceSolver, Element, Method, Stage, Surface, VertexId, WeldRule};
 
 use crate::args::Bridging;
 use crate::complaint::complain;
@@ -59,10 +59,8 @@ pub struct Prepared {
 pub fn prepare((mut solver, build_ms): (DistanceSolver, f64), options: &DistanceOptions) -> Result<Prepared> {
     let start = Instant::now();
     let mut begun: Vec<(Stage, f64)> = Vec::new();
-    solver.prepare(options, &mut |step| {
-        if let Step::Precompute(stage, _) = step {
-            begun.push((stage, milliseconds(start)));
-        }
+    solver.prepare(options, &mut |stage, _| {
+        begun.push((stage, milliseconds(start)));
         ControlFlow::Continue(())
     })?;
     let prepared_ms = milliseconds(start);
@@ -74,11 +72,6 @@ pub fn prepare((mut solver, build_ms): (DistanceSolver, f64), options: &Distance
     let lasted = |end: f64| end - mem::replace(&mut before, end);
     let stages_ms = begun.iter().map(|&(stage, _)| stage).zip(ends.map(lasted)).collect();
     Ok(Prepared { solver, build_ms, precompute_ms: prepared_ms, stages_ms })
-}
-
-/// Nobody stops the program but by its process.
-pub fn go_on(_: Step) -> ControlFlow<()> {
-    ControlFlow::Continue(())
 }
 
 /// So many vertices, the same ones at every run.

@@ -5,13 +5,12 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use crate::common;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::{any_triangles, band, book, distance_from, random, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
-use heatwalk::{Costs, Distance, Error, HeatSolver, Parameters, Place, Soup, Surface, VertexId};
+use heatwalk::{Costs, Distance, Error, HeatSolver, Parameters, Place, Soup, Surface, VertexId, go_on};
 use heatwalk_scene::{Crowd, DrawTransform, Walker};
 use heatwalk_shapes as shapes;
 
@@ -78,7 +77,7 @@ fn crowd_on(solver: &HeatSolver, distance: &Distance, count: usize) -> Crowd {
 }
 
 fn solver_of(soup: &Soup) -> HeatSolver {
-    HeatSolver::new(surface(soup), Parameters::default(), &mut |_, _| ControlFlow::Continue(())).expect("factors")
+    HeatSolver::new(surface(soup), Parameters::default(), &mut go_on).expect("factors")
 }
 
 /// The greatest slope of a face.
@@ -364,7 +363,7 @@ fn exact_distances_are_walked_to_the_end() {
     let surface = solver.surface();
     let source = Place::Vertex(VertexId(9));
     let mut distance = solver.distance(&[source]).expect("a source");
-    distance.values = exact_distance(surface, &[(source, 0.0)], &mut |_| ControlFlow::Continue(())).expect("a source");
+    distance.values = exact_distance(surface, &[(source, 0.0)], &mut go_on).expect("a source");
     let mut crowd = crowd_on(&solver, &distance, 300);
     let mut is_out = [true; 300];
     for _ in 0..(1.3 * distance.max() / surface.mean_edge()) as usize {

@@ -9,13 +9,12 @@ mod shortness;
 use std::error::Error;
 use std::f64::consts::PI;
 use std::fs;
-use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
 use heatwalk::exact::exact_distance;
-use heatwalk::{HeatSolver, Parameters, Place, Surface, VertexId, descend, io, straighten};
+use heatwalk::{HeatSolver, Parameters, Place, Surface, VertexId, descend, go_on, io, straighten};
 
 const SOURCES: usize = 40;
 const STARTS_PER_SOURCE: usize = 50;
@@ -40,7 +39,6 @@ fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let soup = io::read(&name, &fs::read(path)?, &|uri| fs::read(folder.join(uri)).ok())?;
     let surface = Arc::new(Surface::build(&soup)?);
-    let go_on = |_, _| ControlFlow::Continue(());
     let solver = HeatSolver::new(Arc::clone(&surface), Parameters::default(), &mut { go_on })?;
     // Knuth's 64-bit linear congruential generator: the same pairs at every run.
     let mut state = 1_u64;
@@ -53,7 +51,7 @@ fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
     let mut excesses = [Vec::new(), Vec::new()];
     for _ in 0..SOURCES {
         let source = Place::Vertex(random());
-        let exact = exact_distance(&surface, &[source], &mut |_| ControlFlow::Continue(()))?;
+        let exact = exact_distance(&surface, &[source], &mut go_on)?;
         let distance = solver.distance(&[source])?;
         for _ in 0..STARTS_PER_SOURCE {
             let from = random();

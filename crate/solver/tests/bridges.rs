@@ -3,7 +3,6 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::{random, soup, square};
@@ -11,7 +10,7 @@ use glam::{DVec3, dvec3};
 use heatwalk::exact::{ExactGeometry, PlaceDistances, Wavefront, shortest_path};
 use heatwalk::{
     Bridges, Carriers, DistanceOptions, DistanceSolver, Element, ExactSearch, FaceId, Method, Place, Portal,
-    Propagation, PropagationOptions, PropagationRefinement, Surface, VertexId, descend, straighten,
+    Propagation, PropagationOptions, PropagationRefinement, Surface, VertexId, descend, go_on, straighten,
 };
 use heatwalk_shapes as shapes;
 
@@ -194,8 +193,7 @@ fn paths_arrive_through_portals_and_are_no_shorter_than_exact_ones() {
         let mut solver = DistanceSolver::new(Arc::clone(&case.surface)).bridged(case.bridges.clone());
         let end = case.source.position(&case.surface);
         for method in [Method::Exact, Method::Propagation, Method::Heat] {
-            let go_on = &mut |_| ControlFlow::Continue(());
-            let answer = solver.distance(&[case.source], &DistanceOptions::by(method), go_on).expect("a distance");
+            let answer = solver.distance(&[case.source], &DistanceOptions::by(method), &mut go_on).expect("a distance");
             let distance = answer.distance;
             assert_eq!(distance.sources.len(), 1);
             let (mut error, mut count) = (0.0, 0.0);

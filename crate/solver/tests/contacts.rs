@@ -4,7 +4,6 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::num::NonZeroU16;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::pieces::{CHANGES, Errors, Pieces, wholes};
@@ -13,7 +12,7 @@ use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront, shortest_path};
 use heatwalk::{
     BridgeRule, Bridges, Distance, DistanceOptions, DistanceSolver, Element, ExactSearch, Method, Path, Place,
-    Propagation, PropagationOptions, Soup, Surface, VertexId, WeldRule, Windows, descend, straighten,
+    Propagation, PropagationOptions, Soup, Surface, VertexId, WeldRule, Windows, descend, go_on, straighten,
 };
 use heatwalk_shapes as shapes;
 
@@ -32,8 +31,7 @@ const MOST_OF_HEAT: f64 = 0.3;
 const WIDEST_GAP: f64 = 3e-3;
 
 fn distance(solver: &mut DistanceSolver, source: VertexId, method: Method) -> Distance {
-    let go_on = &mut |_| ControlFlow::Continue(());
-    solver.distance(&[source], &DistanceOptions::by(method), go_on).expect("a distance").distance
+    solver.distance(&[source], &DistanceOptions::by(method), &mut go_on).expect("a distance").distance
 }
 
 #[test]

@@ -3,7 +3,6 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::exact_distances::{self, Field, Known};
@@ -11,7 +10,7 @@ use crate::common::{any_triangles, band, book, flat, nearest, random, soup, squa
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance};
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{Element, Error, FaceId, HalfedgeId, InputVertex, Path, Place, Soup, Surface, VertexId};
+use heatwalk::{Element, Error, FaceId, HalfedgeId, InputVertex, Path, Place, Soup, Surface, VertexId, go_on};
 use heatwalk_shapes as shapes;
 
 /// Everything is the length of a path, and lost to rounding is less than this share.
@@ -266,7 +265,6 @@ fn stopping_changes_nothing() {
 #[test]
 fn bad_requests_are_refused() {
     let surface = Arc::new(surface(&square(2)));
-    let mut go_on = |_| ControlFlow::Continue(());
     assert_eq!(exact_distance::<Place>(&surface, &[], &mut go_on), Err(Error::NoSource));
     let offset = exact_distance(&surface, &[(Place::Vertex(VertexId(0)), -1.0)], &mut go_on);
     assert!(matches!(offset, Err(Error::Surface(SurfaceError::BadParameter { .. }))));

@@ -4,13 +4,14 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::{flat, grid_triangles, random, soup, surface};
 use glam::{DVec2, DVec3};
 use heatwalk::exact::{ExactGeometry, shortest_path};
-use heatwalk::{Distance, DistanceOptions, DistanceSolver, FaceId, Method, Place, Soup, Surface, ToSource, VertexId};
+use heatwalk::{
+    Distance, DistanceOptions, DistanceSolver, FaceId, Method, Place, Soup, Surface, ToSource, VertexId, go_on,
+};
 use heatwalk_shapes::icosphere;
 
 /// Rounding of a few triangles, as a share of the distance.
@@ -19,7 +20,7 @@ const ROUNDING: f64 = 1e-14;
 fn distance_by<S: ToSource>(method: Method, surface: &Arc<Surface>, sources: &[S]) -> Distance {
     let mut solver = DistanceSolver::new(Arc::clone(surface));
     let options = DistanceOptions::by(method);
-    solver.distance(sources, &options, &mut |_| ControlFlow::Continue(())).expect("valid sources").distance
+    solver.distance(sources, &options, &mut go_on).expect("valid sources").distance
 }
 
 /// Exactly, by default, and by propagation, which is exact on meshes as small as these.

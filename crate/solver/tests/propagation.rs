@@ -18,7 +18,7 @@ use heatwalk::propagation::{Propagation, propagated_distance};
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
     Element, Error, ExactSearch, FaceId, InputVertex, Place, PropagationOptions, RelativeError, Soup, VertexId,
-    Windows, descend, straighten,
+    Windows, descend, go_on, straighten,
 };
 use heatwalk_shapes as shapes;
 
@@ -230,7 +230,6 @@ fn all_windows_are_exact_and_factors_are_for_nothing() {
 #[test]
 fn paths_descend_it() {
     let surface = Arc::new(surface(&shapes::icosphere(4)));
-    let mut go_on = |_| ControlFlow::Continue(());
     let sources = [Place::Vertex(VertexId(0)), Place::Vertex(VertexId(9))];
     let distance = propagated_distance(&surface, &sources, options(1), &mut go_on).expect("distances");
     assert_eq!(distance.sources, sources);
@@ -239,7 +238,7 @@ fn paths_descend_it() {
         let value = distance.values[vertex];
         assert!((path.length() - value).abs() <= 5e-3 * value, "{} for {value}", path.length());
     }
-    let mut stop = |_| ControlFlow::Break(());
+    let mut stop = |_, _| ControlFlow::Break(());
     let large = Arc::new(common::surface(&shapes::icosphere(6)));
     assert_eq!(propagated_distance(&large, &sources, options(1), &mut stop), Err(Error::Cancelled));
 }

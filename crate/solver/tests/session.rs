@@ -3,23 +3,18 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::{nearest, soup, surface};
 use glam::DVec3;
 use heatwalk::{
     Answer, BridgeRule, Bridges, Costs, DistanceOptions, DistanceSolver, Error, FaceId, Method, PathKind,
-    RelativeError, Solution, Source, Step, Surface, VertexId, Walls,
+    RelativeError, Solution, Source, Surface, VertexId, Walls, go_on,
 };
 use heatwalk_shapes as shapes;
 
 /// What rounding may take from a length.
 const ROUNDING: f64 = 1e-9;
-
-fn go_on(_: Step) -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
 
 fn ask(solver: &mut DistanceSolver, source: VertexId, options: &DistanceOptions) -> Answer {
     solver.distance(&[source], options, &mut go_on).expect("a distance")

@@ -4,7 +4,6 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::searches::geometry;
@@ -13,7 +12,7 @@ use glam::{DVec2, DVec3};
 use heatwalk::propagation::Propagation;
 use heatwalk::{
     DistanceOptions, DistanceSolver, ExactRadius, ExactSearch, InputVertex, Method, Place, PropagationOptions, Soup,
-    Surface, VertexId, Windows,
+    Surface, VertexId, Windows, go_on,
 };
 
 /// What rounding may take from a length, as a share of the extent.
@@ -99,7 +98,6 @@ fn along_edges(surface: &Surface, from: VertexId) -> Vec<f64> {
 }
 
 fn solved(surface: &Arc<Surface>, from: VertexId, options: &DistanceOptions) -> Vec<f64> {
-    let mut go_on = |_| ControlFlow::Continue(());
     let answer = DistanceSolver::new(Arc::clone(surface)).distance(&[from], options, &mut go_on);
     answer.expect("an answer").distance.values.into_vec()
 }
@@ -235,7 +233,6 @@ fn heat_of_many_sources_is_below_none_in_a_straight_line() {
         let vertex = Place::Vertex(VertexId(random(&mut seed, surface.vertex_count()) as u32));
         sources.push((vertex, 0.01 * random(&mut seed, 100) as f64));
     }
-    let mut go_on = |_| ControlFlow::Continue(());
     let answer = DistanceSolver::new(Arc::clone(&surface)).distance(&sources, &heat(), &mut go_on);
     let values = answer.expect("an answer").distance.values;
     for vertex in surface.vertices() {

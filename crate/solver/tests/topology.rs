@@ -5,7 +5,6 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use crate::common;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::{band, book, distance_from, flat, random, soup, square, surface};
@@ -14,7 +13,7 @@ use heatwalk::exact::exact_distance;
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    CutVertex, Element, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Soup, Surface, VertexId,
+    CutVertex, Element, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Soup, Surface, VertexId, go_on,
 };
 use heatwalk_shapes as shapes;
 
@@ -178,8 +177,7 @@ fn triangles_without_area_that_join_others_at_a_vertex_or_a_junction_stay() {
     let distance = |real: &[[u32; 3]], flat_ones: &[[u32; 3]], to: u32| {
         let places = [(0.0, 0.0), (3.0, 0.0), (1.0, 2.0), (1.0, 0.0), (1.0, -2.0), (2.0, -2.0), (1.0, -4.0)];
         let surface = Arc::new(checked(&soup(flat(&places), [real, flat_ones].concat())));
-        let going_on = &mut |_| ControlFlow::Continue(());
-        exact_distance(&surface, &[VertexId(2)], going_on).expect("a valid source")[VertexId(to)]
+        exact_distance(&surface, &[VertexId(2)], &mut go_on).expect("a valid source")[VertexId(to)]
     };
     // Below the x axis another triangle, with a corner on the long edge of the one above.
     let at_vertex = [[0, 1, 2], [3, 4, 5]];

@@ -3,21 +3,19 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::{nearest, random, surface};
 use glam::DVec3;
 use heatwalk::{
     DistanceOptions, DistanceSolver, FaceId, HalfedgeId, InputTriangle, Method, Place, Soup, Surface, VertexData,
-    VertexId, Walls, descend,
+    VertexId, Walls, descend, go_on,
 };
 use heatwalk_shapes::{grid, icosphere, torus};
 
 fn distances(surface: &Arc<Surface>, source: VertexId) -> VertexData<f64> {
     let mut solver = DistanceSolver::new(Arc::clone(surface));
-    let go_on = &mut |_| ControlFlow::Continue(());
-    solver.distance(&[source], &DistanceOptions::by(Method::Exact), go_on).expect("a source").distance.values
+    solver.distance(&[source], &DistanceOptions::by(Method::Exact), &mut go_on).expect("a source").distance.values
 }
 
 /// A tenth of the faces, in clusters around random ones.
@@ -87,8 +85,7 @@ fn no_path_enters_a_wall() {
         let walled = Arc::new(whole.walled(&walls).expect("faces of the surface"));
         let source = open_vertex(&walled, &mut seed);
         let mut solver = DistanceSolver::new(Arc::clone(&walled));
-        let go_on = &mut |_| ControlFlow::Continue(());
-        let answer = solver.distance(&[source], &DistanceOptions::default(), go_on).expect("a source");
+        let answer = solver.distance(&[source], &DistanceOptions::default(), &mut go_on).expect("a source");
         for _ in 0..10 {
             let from = open_vertex(&walled, &mut seed);
             let Ok(path) = descend(&walled, &answer.distance, from) else {
@@ -143,7 +140,7 @@ fn a_source_in_a_wall_is_refused() {
     let walled = whole.walled(&Walls { faces: vec![FaceId(7)], edges: Vec::new() }).expect("a face");
     let inside = Place::Face { face: FaceId(7), weights: [0.2, 0.3, 0.5] };
     let error = DistanceSolver::new(walled)
-        .distance(&[inside], &DistanceOptions::default(), &mut |_| ControlFlow::Continue(()))
+        .distance(&[inside], &DistanceOptions::default(), &mut go_on)
         .expect_err("in a wall");
     assert_eq!(error.code(), "source-in-wall");
     assert!(error.to_string().contains("face 7"), "{error}");

@@ -1,14 +1,13 @@
 //! Heat after time t, from any supply and under any constraints.
 
 use std::collections::BTreeMap;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::error::Result;
 use crate::heat::constraint::Constraint;
 use crate::heat::systems::{CachedSystem, Systems};
 use crate::operator::{Discretization, Laplacian, Operators};
-use heatwalk_sparse::{Functional, SchurComplement, SymmetricMatrix, System};
+use heatwalk_sparse::{Functional, Progress, SchurComplement, SymmetricMatrix, System};
 use heatwalk_surface::{VertexData, VertexId};
 
 /// Name of the matrix in errors.
@@ -88,21 +87,8 @@ impl<D: Discretization> HeatFlow<D> {
     ///
     /// # Errors
     /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite) on degenerate triangles;
-    /// [`OutOfMemory`](crate::Error::OutOfMemory).
-    pub fn new(systems: &Arc<Systems<D>>, time: f64, condition: Condition) -> Result<Self> {
-        Self::with_progress(systems, time, condition, &mut |_| ControlFlow::Continue(()))
-    }
-
-    /// The same. `progress` is told the share of the work done, 0 to 1.
-    ///
-    /// # Errors
-    /// As [`HeatFlow::new`]; [`Cancelled`](crate::Error::Cancelled).
-    pub fn with_progress(
-        systems: &Arc<Systems<D>>,
-        time: f64,
-        condition: Condition,
-        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Self> {
+    /// [`OutOfMemory`](crate::Error::OutOfMemory); [`Cancelled`](crate::Error::Cancelled).
+    pub fn new(systems: &Arc<Systems<D>>, time: f64, condition: Condition, progress: Progress<'_>) -> Result<Self> {
         let step = Step::lumped(systems, time, condition);
         let [system] = systems.systems([(step.matrix(systems.operators().laplacian()), HEAT_MATRIX)], progress)?;
         Ok(Self::with_system(systems, step, system))

@@ -14,7 +14,7 @@ use crate::heat::source_heat::SourceHeat;
 use crate::heat::systems::Systems;
 use crate::heat::time;
 use crate::options::{Boundary, FactorOptions, MemoryLimit, MultiSource};
-use crate::progress::{Progress, Stage};
+use heatwalk_sparse::{Progress, Stage, go_on};
 use heatwalk_surface::VertexData;
 
 /// Numbers that the factors of heat systems may take that are not needed now, so that going back to another time or
@@ -90,21 +90,21 @@ impl<D: HeatDiscretization> HeatMethod<D> {
         self.make_room(count, options.memory)?;
         let laplacian = self.systems.operators().laplacian();
         let mut factored = 0;
-        let mut told = |factored: usize, share: f64| {
-            progress(Stage::Factoring, done + (1.0 - done) * (factored as f64 + share) / count as f64)
+        let mut told = |factored: usize, stage: Stage, share: f64| {
+            progress(stage, done + (1.0 - done) * (factored as f64 + share) / count as f64)
         };
         let mut poisson = None;
         let mut made = Vec::with_capacity(count);
         if let Some(step) = beside_poisson {
             let matrices = [(Poisson::matrix(&self.systems), POISSON_MATRIX), (step.matrix(laplacian), HEAT_MATRIX)];
-            let [system, heat] = self.systems.systems(matrices, &mut |share| told(0, 2.0 * share))?;
+            let [system, heat] = self.systems.systems(matrices, &mut |stage, share| told(0, stage, 2.0 * share))?;
             poisson = Some(Poisson::with_system(&self.systems, system));
             made.push(HeatFlow::with_system(&self.systems, step, heat));
             factored = 2;
         }
         for step in steps {
             let matrix = (step.matrix(laplacian), HEAT_MATRIX);
-            let [system] = self.systems.systems([matrix], &mut |share| told(factored, share))?;
+            let [system] = self.systems.systems([matrix], &mut |stage, share| told(factored, stage, share))?;
             made.push(HeatFlow::with_system(&self.systems, step, system));
             factored += 1;
         }
@@ -166,7 +166,7 @@ impl<D: HeatDiscretization> HeatMethod<D> {
             return Ok(poisson);
         }
         self.check_memory(1, self.options.memory)?;
-        let poisson = Poisson::new(&self.systems)?;
+        let poisson = Poisson::new(&self.systems, &mut go_on)?;
         Ok(self.poisson.get_or_init(|| poisson))
     }
 

@@ -10,11 +10,10 @@ pub mod shortness;
 pub mod truth;
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 use glam::DVec3;
 use heatwalk::{
-    Boundary, Distance, ExactRadius, HeatSolver, InputVertex, Parameters, Soup, Surface, TimeStep, VertexId,
+    Boundary, Distance, ExactRadius, HeatSolver, InputVertex, Parameters, Soup, Surface, TimeStep, VertexId, go_on,
 };
 
 pub fn soup(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Soup {
@@ -145,7 +144,7 @@ pub fn heat_only(time_factor: f64, boundary: Boundary) -> Parameters {
 }
 
 pub fn solver_with(soup: &Soup, parameters: Parameters) -> HeatSolver {
-    HeatSolver::new(surface(soup), parameters, &mut |_, _| ControlFlow::Continue(())).expect("factors")
+    HeatSolver::new(surface(soup), parameters, &mut go_on).expect("factors")
 }
 
 pub fn solver(soup: &Soup, time_factor: f64, boundary: Boundary) -> HeatSolver {

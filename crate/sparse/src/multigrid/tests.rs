@@ -3,13 +3,13 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::aggregation::{Coarse, coarsen};
 use super::*;
 use crate::conjugate_gradients::ConjugateGradients;
 use crate::ordering::Permutation;
+use crate::progress::go_on;
 use crate::samples::{Mesh, right_side};
 use crate::symbolic::Symbolic;
 
@@ -27,7 +27,7 @@ fn steps_and_agreement(matrix: &SymmetricMatrix, bound: f64) -> usize {
     assert!(norm(&rest) <= 1e-9 * norm(&right), "{} of {}", norm(&rest), norm(&right));
     let permutation = Permutation::fill_reducing(matrix.pattern()).expect("memory");
     let symbolic = Arc::new(Symbolic::analyse(matrix.pattern(), permutation).expect("memory"));
-    let [factor] = symbolic.factor([matrix], &mut |_| ControlFlow::Continue(())).expect("positive definite");
+    let [factor] = symbolic.factor([matrix], &mut go_on).expect("positive definite");
     let direct = factor.solve(&right);
     let largest = direct.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
     let difference = solution.iter().zip(&direct).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
