@@ -187,14 +187,14 @@ impl Propagation {
 
     /// `#V`, distances from the sources, by windows lengths of paths, in the file's unit; infinite where none has been found.
     pub fn values(&self) -> &VertexData<f64> {
-        self.beyond().map_or_else(|| self.exact.values(), Grow::values)
+        self.beyond().map_or_else(|| self.exact.values(), |front| &front.reached().values)
     }
 
     /// `#V`, the number of the source that each value comes from, in the order in which they were given; `None` where none
     /// has been found.
     pub fn nearest_sources(&self) -> VertexData<Option<usize>> {
         let number = |vertex: VertexId| match self.beyond() {
-            Some(front) => front.nearest(vertex),
+            Some(front) => front.reached().nearest[vertex],
             None if self.exact.values()[vertex] < f64::INFINITY => self.exact.source_of(vertex.0),
             None => NOWHERE,
         };
@@ -204,7 +204,7 @@ impl Propagation {
 
     /// Windows that have crossed a face; beyond the exact search, where vertices alone go on, how often faces were crossed.
     pub fn windows(&self) -> usize {
-        self.exact.windows() + self.beyond().map_or(0, Grow::crossed)
+        self.exact.windows() + self.beyond().map_or(0, |front| front.reached().crossed)
     }
 
     /// The distance, as it is now.
