@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::extremum::larger;
 use crate::heat::discretization::HeatDiscretization;
 use crate::heat::field::{Field, RightSide};
-use crate::heat::flow::{Condition, HEAT_MATRIX, HeatFlow, Step};
+use crate::heat::flow::{Condition, HEAT_MATRIX, HeatFlow, HeatStep};
 use crate::heat::point_source::PointSource;
 use crate::heat::poisson::{POISSON_MATRIX, Poisson};
 use crate::heat::region::ExactRegion;
@@ -81,8 +81,8 @@ impl<D: HeatDiscretization> HeatMethod<D> {
     // Inlined with those below, it would make the page's module a sixteenth larger.
     #[inline(never)]
     fn factor(&mut self, options: FactorOptions, done: f64, progress: Progress<'_>) -> Result<()> {
-        let is_absent = |step: &Step| !self.flows.iter().any(|flow| flow.step().is_same(step));
-        let mut steps: Vec<Step> = self.needed(options).into_iter().filter(is_absent).collect();
+        let is_absent = |step: &HeatStep| !self.flows.iter().any(|flow| flow.step().is_same(step));
+        let mut steps: Vec<HeatStep> = self.needed(options).into_iter().filter(is_absent).collect();
         let needs_poisson = self.field_with(options) == Field::Unit && self.poisson.get().is_none();
         // Two matrices side by side take less time than one after the other.
         let beside_poisson = if needs_poisson { steps.pop() } else { None };
@@ -141,12 +141,12 @@ impl<D: HeatDiscretization> HeatMethod<D> {
     }
 
     /// The heat systems that options need; at least one.
-    fn needed(&self, options: FactorOptions) -> Vec<Step> {
+    fn needed(&self, options: FactorOptions) -> Vec<HeatStep> {
         let special = self.discretization().logarithm_mass().filter(|_| self.field_with(options) == Field::Logarithm);
         let mass = special.unwrap_or(&self.mass);
         let time = self.time_with(options);
         let conditions = conditions(options.boundary, &self.neumann, self.dirichlet.as_ref());
-        let step = |condition: &Condition| Step { time, condition: condition.clone(), mass: Arc::clone(mass) };
+        let step = |condition: &Condition| HeatStep { time, condition: condition.clone(), mass: Arc::clone(mass) };
         conditions.into_iter().map(step).collect()
     }
 
