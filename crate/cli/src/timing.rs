@@ -8,6 +8,8 @@ use std::time::Instant;
 
 use anyhow::Result;
 use heatwalk::{Bridges, DistanceOptions, DistanceSolver, Element, Method, Stage, Surface, VertexId, WeldRule};
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
 
 use crate::args::Bridging;
 use crate::complaint::complain;
@@ -76,13 +78,8 @@ pub fn prepare((mut solver, build_ms): (DistanceSolver, f64), options: &Distance
 
 /// So many vertices, the same ones at every run.
 pub fn sample(surface: &Surface, count: u32) -> Vec<VertexId> {
-    let vertices = surface.vertex_count() as u64;
-    let mut state = 1_u64;
-    let draw = |_| {
-        // Multiplier and increment of Knuth's MMIX; its high bits are the random ones.
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        VertexId::from_index(((state >> 33) % vertices) as usize)
-    };
+    let mut random = SplitMix64::seed_from_u64(1);
+    let draw = |_| VertexId::from_index(random.random_range(0..surface.vertex_count()));
     (0..count).map(draw).collect()
 }
 

@@ -58,9 +58,7 @@ fn sheet(height: f64, shift: f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
 fn together(parts: &[(Vec<DVec3>, Vec<[u32; 3]>)]) -> Soup {
     let mut whole = Soup::default();
     for (positions, triangles) in parts {
-        let first = whole.positions.len() as u32;
-        whole.positions.extend(positions);
-        whole.triangles.extend(triangles.iter().map(|triangle| triangle.map(|vertex| first + vertex)));
+        whole.add(positions.iter().copied(), triangles);
         whole.end_part("sheet");
     }
     whole

@@ -5,7 +5,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::sync::Arc;
 
-use crate::common::{distance_from, random, square, surface};
+use crate::common::truth::Random;
+use crate::common::{distance_from, square, surface};
 use glam::DVec3;
 use heatwalk::gradient::{face_directions, face_gradients, vertex_directions, vertex_tangents};
 use heatwalk::propagation::propagated_distance;
@@ -123,10 +124,10 @@ fn mean_angles(surface: &Arc<Surface>, windows: &str, expected: impl Fn(DVec3, D
 #[test]
 fn directions_are_those_of_shortest_paths() {
     let mut plane = square(40);
-    let mut seed = 1;
+    let mut random = Random::new(1);
     for position in &mut plane.positions {
         if position.x > 0.0 && position.x < 1.0 && position.y > 0.0 && position.y < 1.0 {
-            let mut shift = || 0.008 * (random(&mut seed, 1000) as f64 / 1000.0 - 0.5);
+            let mut shift = || 0.008 * (random.share() - 0.5);
             *position += DVec3::new(shift(), shift(), 0.0);
         }
     }

@@ -6,7 +6,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::sync::Arc;
 
-use crate::common::{flat, grid_triangles, random, soup, surface};
+use crate::common::truth::Random;
+use crate::common::{flat, grid_triangles, soup, surface};
 use glam::{DVec2, DVec3};
 use heatwalk::exact::{ExactGeometry, shortest_path};
 use heatwalk::{
@@ -184,8 +185,8 @@ fn the_end_of_a_sphere_is_half_a_great_circle_away() {
 #[test]
 fn heat_from_an_irregular_rim_is_hardly_shorter_than_straight() {
     let (rings, spokes) = (24, 96_u32);
-    let mut seed = 5;
-    let mut share = || random(&mut seed, 1 << 20) as f64 / f64::from(1 << 20);
+    let mut random = Random::new(5);
+    let mut share = || random.share();
     let mut angles: Vec<f64> = Vec::new();
     let mut angle = 0.0;
     for _ in 0..spokes {

@@ -30,11 +30,9 @@ const GAP: f64 = 0.01;
 /// Two unit spheres that nearly touch.
 fn pair() -> Arc<Surface> {
     let sphere = shapes::icosphere(3);
-    let count = sphere.positions.len() as u32;
-    let other = sphere.positions.iter().map(|&position| position + DVec3::X * (2.0 + GAP));
-    let positions = sphere.positions.iter().copied().chain(other).collect();
-    let shifted = sphere.triangles.iter().map(|corners| corners.map(|corner| corner + count));
-    Arc::new(surface(&soup(positions, sphere.triangles.iter().copied().chain(shifted).collect())))
+    let mut pair = soup(sphere.positions.clone(), sphere.triangles.clone());
+    pair.add(sphere.positions.iter().map(|&position| position + DVec3::X * (2.0 + GAP)), &sphere.triangles);
+    Arc::new(surface(&pair))
 }
 
 /// A belt around the torus but for a gate.

@@ -7,7 +7,8 @@ use crate::common;
 
 use std::sync::Arc;
 
-use crate::common::{band, book, distance_from, flat, random, soup, square, surface};
+use crate::common::truth::Random;
+use crate::common::{band, book, distance_from, flat, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
@@ -72,10 +73,10 @@ fn known_shapes() {
 }
 
 /// The same surface with its vertices and triangles in an order that has nothing to do with where they are.
-fn shuffled(soup: &Soup, seed: &mut u64) -> Soup {
+fn shuffled(soup: &Soup, random: &mut Random) -> Soup {
     let mut order = |count: usize| {
         let mut order: Vec<usize> = (0..count).collect();
-        (1..count).rev().for_each(|i| order.swap(i, random(seed, i + 1)));
+        (1..count).rev().for_each(|i| order.swap(i, random.below(i + 1)));
         order
     };
     let (vertices, triangles) = (order(soup.positions.len()), order(soup.triangles.len()));
@@ -91,7 +92,7 @@ fn shuffled(soup: &Soup, seed: &mut u64) -> Soup {
 
 #[test]
 fn neighbours_on_a_large_surface_are_neighbours_in_memory() {
-    let soup = shuffled(&shapes::torus(2.0, 0.7, 240, 120), &mut 5);
+    let soup = shuffled(&shapes::torus(2.0, 0.7, 240, 120), &mut Random::new(5));
     let surface = checked(&soup);
     let jump = |vertex: VertexId| {
         let other = surface.neighbours(vertex).next().expect("a neighbour");

@@ -45,9 +45,7 @@ fn cuboid(low: [f64; 3], high: [f64; 3]) -> Soup {
 fn joined(soups: &[Soup]) -> Soup {
     let mut all = Soup::default();
     for soup in soups {
-        let first = all.positions.len() as u32;
-        all.positions.extend(&soup.positions);
-        all.triangles.extend(soup.triangles.iter().map(|triangle| triangle.map(|corner| first + corner)));
+        all.add(soup.positions.iter().copied(), &soup.triangles);
         all.end_part("part");
     }
     all

@@ -71,7 +71,7 @@ pub fn path(arguments: &Path, input: &Input) -> Result<String> {
     let path = solver.path(&answer, from)?;
     let path_ms = milliseconds(start);
     if let Some(output) = output {
-        output.write(path.points.iter().copied(), arguments.up)?;
+        output.write(path.points.iter().copied(), arguments.axis.up)?;
     }
     said.push("method", answer.method.name());
     said.push("factor_nonzeros", solver.factor_nonzeros());
