@@ -14,7 +14,7 @@ const WIDTH = 120;
 export function rustLines(measured: Measured): string {
   const { state, mesh, opened, field } = measured;
   const sources = reproducedSources(measured, 'program');
-  const used = new Set(['DistanceOptions', 'DistanceSolver', 'InputVertex', 'Method', 'Surface']);
+  const used = new Set(['DistanceOptions', 'DistanceSolver', 'InputVertex', 'Method', 'Surface', 'go_on']);
   const use = (...names: string[]) => names.forEach((name) => used.add(name));
   const body = [readLine(mesh, use)];
   if (opened.active.length < opened.parts.length) body.push(`let soup = soup.chosen(&[${opened.active.join(', ')}])?;`);
@@ -23,7 +23,6 @@ export function rustLines(measured: Measured): string {
   body.push('let surface = Surface::build(&soup)?;', ...sourceLines(sources, use), ...solverLines(state, use));
   body.push(
     ...optionLines(state, field, use),
-    'let mut go_on = |_| ControlFlow::Continue(());',
     'let distance = solver.distance(&sources, &options, &mut go_on)?.distance;',
     'for input in 0..soup.positions.len() as u32 {',
     `${INDENT}let vertex = solver.surface().vertex_of_input(InputVertex(input));`,
@@ -33,8 +32,6 @@ export function rustLines(measured: Measured): string {
   );
   return [
     `//! Distances on ${mesh.replaceAll(/\s/g, ' ')}, as the page of Heatwalk shows them: a line of vertex,distance each.`,
-    '',
-    'use std::ops::ControlFlow;',
     '',
     ...imported([...used].toSorted(byRust)),
     ...(mesh.startsWith('shape:') ? ['use heatwalk_shapes::by_name;'] : []),

@@ -115,6 +115,9 @@ fn meet(ray: Ray, triangle: u32, corners: [Vec3; 3]) -> Option<Hit> {
 
 #[cfg(test)]
 mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_xoshiro::SplitMix64;
+
     use super::*;
 
     impl Picker {
@@ -123,24 +126,16 @@ mod tests {
         }
     }
 
-    /// A small deterministic generator: tests must not vary from run to run.
-    struct Lcg(u64);
-    impl Lcg {
-        fn unit(&mut self) -> f32 {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 40) as f32 / (1u64 << 24) as f32
-        }
-        fn point(&mut self) -> Vec3 {
-            2.0 * Vec3::new(self.unit(), self.unit(), self.unit()) - 1.0
-        }
+    fn point(random: &mut SplitMix64) -> Vec3 {
+        2.0 * Vec3::from_array(random.random()) - 1.0
     }
 
     fn soup(count: u32, seed: u64) -> Picker {
-        let mut random = Lcg(seed);
+        let mut random = SplitMix64::seed_from_u64(seed);
         let mut positions = Vec::new();
         for _ in 0..count {
-            let center = random.point();
-            positions.extend((0..3).map(|_| center + 0.15 * random.point()));
+            let center = point(&mut random);
+            positions.extend((0..3).map(|_| center + 0.15 * point(&mut random)));
         }
         picker_of(positions, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect())
     }
@@ -154,11 +149,11 @@ mod tests {
     fn agrees_with_brute_force() {
         for count in [1, 2, 5, 700] {
             let picker = soup(count, 7);
-            let mut random = Lcg(11);
+            let mut random = SplitMix64::seed_from_u64(11);
             let mut hits = 0;
             for _ in 0..1000 {
-                let origin = 3.0 * random.point();
-                let ray = Ray { origin, direction: (random.point() - origin).normalize() };
+                let origin = 3.0 * point(&mut random);
+                let ray = Ray { origin, direction: (point(&mut random) - origin).normalize() };
                 let nearest = (0..count)
                     .filter_map(|triangle| picker.meet(ray, triangle))
                     .min_by(|left, right| left.depth.total_cmp(&right.depth));
@@ -173,11 +168,11 @@ mod tests {
     #[test]
     fn goes_on_through_what_is_not_there() {
         let picker = soup(700, 7);
-        let mut random = Lcg(17);
+        let mut random = SplitMix64::seed_from_u64(17);
         let mut farther = 0;
         for _ in 0..1000 {
-            let origin = 3.0 * random.point();
-            let ray = Ray { origin, direction: (random.point() - origin).normalize() };
+            let origin = 3.0 * point(&mut random);
+            let ray = Ray { origin, direction: (point(&mut random) - origin).normalize() };
             let is_there = |place: Vec3| place.x + place.y < 0.1;
             let nearest = (0..700)
                 .filter_map(|triangle| picker.meet(ray, triangle))
@@ -196,11 +191,11 @@ mod tests {
         let turned: Vec<Vec3> = turned.collect();
         picker.pose(turned.clone());
         assert_eq!(picker.positions(), turned);
-        let mut random = Lcg(13);
+        let mut random = SplitMix64::seed_from_u64(13);
         let mut hits = 0;
         for _ in 0..1000 {
-            let origin = 4.0 * random.point();
-            let ray = Ray { origin, direction: (random.point() - origin).normalize() };
+            let origin = 4.0 * point(&mut random);
+            let ray = Ray { origin, direction: (point(&mut random) - origin).normalize() };
             let nearest = (0..700)
                 .filter_map(|triangle| picker.meet(ray, triangle))
                 .min_by(|left, right| left.depth.total_cmp(&right.depth));

@@ -10,7 +10,6 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::hint::black_box;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -19,7 +18,7 @@ use glam::{DMat3, DVec3};
 use heatwalk::surface::parallel::ONE;
 use heatwalk::{
     BridgeRule, Bridges, Distance, DistanceOptions, DistanceSolver, Element, FaceId, Method, Path, Place, Soup,
-    Surface, VertexId, Walls, WeldRule, descend, edge_polyline, straighten, straightest,
+    Surface, VertexId, Walls, WeldRule, descend, edge_polyline, go_on, straighten, straightest,
 };
 use heatwalk_curves::{Field, Isolines, Levels, Sheet, Strips, write};
 use heatwalk_shapes as shapes;
@@ -264,7 +263,7 @@ const OPERATIONS: [(&str, Prepare); 18] = [
     ("heat", |soup| {
         let mut solver = DistanceSolver::new(surface(soup)?);
         let source = Place::Vertex(VertexId(1));
-        does(move || solver.distance(&[source], &DistanceOptions::by(Method::Heat), &mut |_| ControlFlow::Continue(())))
+        does(move || solver.distance(&[source], &DistanceOptions::by(Method::Heat), &mut go_on))
     }),
     ("walls of triangles", |soup| {
         let surface = surface(soup)?;
@@ -362,9 +361,7 @@ fn surface(soup: &Soup) -> Result<Arc<Surface>> {
 fn propagates(surface: Arc<Surface>, sources: Vec<Place>) -> Result<Operation> {
     let mut solver = DistanceSolver::new(surface);
     solver.exact_geometry();
-    does(move || {
-        solver.distance(&sources, &DistanceOptions::by(Method::Propagation), &mut |_| ControlFlow::Continue(()))
-    })
+    does(move || solver.distance(&sources, &DistanceOptions::by(Method::Propagation), &mut go_on))
 }
 
 /// The distance to a place of the last triangle, and the vertex farthest from there.
@@ -373,7 +370,7 @@ fn field(soup: &Soup) -> Result<(Arc<Surface>, Distance, VertexId)> {
     let source = Place::Face { face: FaceId::from_index(surface.face_count() / 3), weights: [0.3, 0.3, 0.4] };
     let mut solver = DistanceSolver::new(Arc::clone(&surface));
     let options = DistanceOptions::by(Method::Propagation);
-    let distance = solver.distance(&[source], &options, &mut |_| ControlFlow::Continue(()))?.distance;
+    let distance = solver.distance(&[source], &options, &mut go_on)?.distance;
     let reached = surface.vertices().filter(|&vertex| distance.values[vertex] < f64::INFINITY);
     let from = reached.max_by(|&a, &b| distance.values[a].total_cmp(&distance.values[b]));
     Ok((surface, distance, from.context("a vertex")?))

@@ -148,6 +148,13 @@ pub struct Distance {
     /// Write the distances to a .csv, .ply or .glb file; of tetrahedra to a .csv, .vtu or .msh file
     #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub axis: UpAxis,
+}
+
+/// The group `turned` is what it has something to do with.
+#[derive(Args)]
+pub struct UpAxis {
     /// The axis of the mesh that points up: slopes are measured against it, and in the output it becomes Y
     #[arg(long, requires = "turned", value_name = "AXIS", default_value_t, value_parser = choice::<Up>(), allow_hyphen_values = true)]
     pub up: Up,
@@ -180,9 +187,8 @@ pub struct Isolines {
     /// Write the curves to an .obj, .dxf, .svg, .csv or .glb file; strips to an .obj file, unrolled ones to an .svg or .dxf file
     #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
-    /// The axis of the mesh that points up: slopes are measured against it, and in the output it becomes Y
-    #[arg(long, requires = "turned", value_name = "AXIS", default_value_t, value_parser = choice::<Up>(), allow_hyphen_values = true)]
-    pub up: Up,
+    #[command(flatten)]
+    pub axis: UpAxis,
 }
 
 #[derive(Args)]
@@ -215,9 +221,8 @@ pub struct Path {
     /// Write the points to an .obj or .csv file
     #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
-    /// The axis of the mesh that points up: slopes are measured against it, and in the output it becomes Y
-    #[arg(long, requires = "turned", value_name = "AXIS", default_value_t, value_parser = choice::<Up>(), allow_hyphen_values = true)]
-    pub up: Up,
+    #[command(flatten)]
+    pub axis: UpAxis,
 }
 
 #[derive(Args)]

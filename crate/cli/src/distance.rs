@@ -5,7 +5,7 @@ use std::time::Instant;
 use anyhow::Result;
 use heatwalk::{
     Answer, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, RelativeError, Source, Surface, VertexData,
-    VertexId, Windows, propagation::ALL,
+    VertexId, Windows, go_on, propagation::ALL,
 };
 use serde_json::{Map, Value, json};
 
@@ -13,7 +13,7 @@ use crate::args::Distance;
 use crate::output::{Columns, Output};
 use crate::question::{Posed, pose};
 use crate::report::{Report, milliseconds};
-use crate::timing::{go_on, median_solve_ms, sample};
+use crate::timing::{median_solve_ms, sample};
 use crate::volume;
 
 pub fn distance(arguments: &Distance) -> Result<String> {
@@ -23,7 +23,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     }
     let options = question.distance_options()?;
     let output = arguments.output.as_deref().map(|path| Output::distance(path, arguments.each)).transpose()?;
-    let Posed { input, sources, mut prepared, mut report } = pose(question, arguments.up, &options)?;
+    let Posed { input, sources, mut prepared, mut report } = pose(question, arguments.axis.up, &options)?;
     if options.method == Method::Heat {
         report.push_stages(&prepared.stages_ms);
     }
@@ -34,7 +34,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
         together(&mut prepared.solver, &sources, asked, &mut report)?
     };
     if let Some(output) = output {
-        output.write(&input.soup, arguments.up, &columns)?;
+        output.write(&input.soup, arguments.axis.up, &columns)?;
     }
     report.push("factor_nonzeros", prepared.solver.heat().map_or(0, HeatSolver::factor_nonzeros));
     if let Some(heat) = prepared.solver.heat() {

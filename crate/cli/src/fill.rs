@@ -1,9 +1,9 @@
 //! `heatwalk fill`.
 
-use std::ops::ControlFlow;
 use std::time::Instant;
 
 use anyhow::{Result, ensure};
+use heatwalk::go_on;
 use heatwalk_volume::fill::{Estimate, FillReport, Resolution, Solid};
 use serde_json::json;
 
@@ -33,7 +33,7 @@ pub fn fill(arguments: &Fill) -> Result<String> {
     build_ms += milliseconds(start);
     let estimate = solid.estimate(resolution)?;
     let start = Instant::now();
-    let filled = solid.fill(resolution, &mut |_| ControlFlow::Continue(()))?;
+    let filled = solid.fill(resolution, &mut go_on)?;
     let fill_ms = milliseconds(start);
     if let Some(output) = output {
         output.write_filled(&filled.soup)?;

@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Result, bail};
 use glam::DVec3;
+use heatwalk::go_on;
 use heatwalk_curves::{Field, Isolines, Levels, Sheet, Strips, write};
 use serde_json::json;
 
@@ -12,7 +13,6 @@ use crate::distance::facts;
 use crate::output::{CurveFormat, Output};
 use crate::question::{Posed, pose};
 use crate::report::milliseconds;
-use crate::timing::go_on;
 use crate::volume;
 
 pub fn isolines(arguments: &args::Isolines) -> Result<String> {
@@ -23,14 +23,14 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     let options = question.distance_options()?;
     let output = arguments.output.as_deref();
     let output = output.map(|path| Output::curves(path, arguments.strips, arguments.unroll)).transpose()?;
-    let Posed { input, sources, mut prepared, mut report } = pose(question, arguments.up, &options)?;
+    let Posed { input, sources, mut prepared, mut report } = pose(question, arguments.axis.up, &options)?;
     let start = Instant::now();
     let answer = prepared.solver.distance(&sources, &options, &mut go_on)?;
     let solve_ms = milliseconds(start);
 
     let start = Instant::now();
     let surface = prepared.solver.surface();
-    let positions = surface.positions().iter().map(|&position| arguments.up.turned(position)).collect();
+    let positions = surface.positions().iter().map(|&position| arguments.axis.up.turned(position)).collect();
     let triangles = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
     let field = Field::new(positions, triangles, answer.distance.values.iter().copied().collect())?;
     let levels = match (arguments.spacing, arguments.count) {

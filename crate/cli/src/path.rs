@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::Result;
 use heatwalk::exact::shortest_path;
-use heatwalk::{Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, PathKind, Place, SurfacePoint};
+use heatwalk::{Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, PathKind, Place, SurfacePoint, go_on};
 use serde_json::json;
 
 use crate::args::Path;
@@ -12,7 +12,7 @@ use crate::input::Input;
 use crate::output::Output;
 use crate::question::walkable;
 use crate::report::milliseconds;
-use crate::timing::{go_on, prepare};
+use crate::timing::prepare;
 use crate::volume;
 
 /// A path, the distance that belongs to it, and what they took.
@@ -36,7 +36,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     arguments.from.check(&input.soup)?;
     arguments.to.check(&input.soup)?;
     let (solver, mut report, build_ms) =
-        walkable(&input, &arguments.mesh, &arguments.bridging, (&arguments.ground, arguments.up))?;
+        walkable(&input, &arguments.mesh, &arguments.bridging, (&arguments.ground, arguments.axis.up))?;
     let from = arguments.from.on(&input.soup, solver.surface())?;
     let to = arguments.to.on(&input.soup, solver.surface())?;
     let mut prepared = prepare((solver, build_ms), &options)?;
@@ -46,7 +46,7 @@ pub fn path(arguments: &Path) -> Result<String> {
         by_descent(&mut prepared.solver, from, to, (arguments, &options))?
     };
     if let Some(output) = output {
-        output.write(found.path.positions().into_iter(), arguments.up)?;
+        output.write(found.path.positions().into_iter(), arguments.axis.up)?;
     }
     let points: Vec<_> = found.path.positions().iter().map(|point| json!(point.to_array())).collect();
     report.push("method", found.method.name());

@@ -7,6 +7,7 @@ use anyhow::{Context, Result};
 use heatwalk::surface::parallel::ONE;
 use heatwalk::{
     DistanceOptions, DistanceSolver, LinearSolver, Method, MultiSource, RelativeError, UnitRule, VertexId, WeldRule,
+    go_on,
 };
 use serde_json::{Value, json};
 
@@ -15,7 +16,7 @@ use crate::args::Table;
 use crate::input::Input;
 use crate::markdown;
 use crate::sentence::sentence;
-use crate::timing::{Prepared, build, go_on, median_solve_ms, prepare, sample};
+use crate::timing::{Prepared, build, median_solve_ms, prepare, sample};
 
 /// Conjugate gradients take seconds a source on a large mesh, so their median is over so many sources at most.
 const MOST_ITERATED: u32 = 3;

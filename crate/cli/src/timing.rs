@@ -7,7 +7,9 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{Bridges, DistanceOptions, DistanceSolver, Element, Method, Stage, Step, Surface, VertexId, WeldRule};
+use heatwalk::{Bridges, DistanceOptions, DistanceSolver, Element, Method, Stage, Surface, VertexId, WeldRule};
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
 
 use crate::args::Bridging;
 use crate::complaint::complain;
@@ -59,10 +61,8 @@ pub struct Prepared {
 pub fn prepare((mut solver, build_ms): (DistanceSolver, f64), options: &DistanceOptions) -> Result<Prepared> {
     let start = Instant::now();
     let mut begun: Vec<(Stage, f64)> = Vec::new();
-    solver.prepare(options, &mut |step| {
-        if let Step::Precompute(stage, _) = step {
-            begun.push((stage, milliseconds(start)));
-        }
+    solver.prepare(options, &mut |stage, _| {
+        begun.push((stage, milliseconds(start)));
         ControlFlow::Continue(())
     })?;
     let prepared_ms = milliseconds(start);
@@ -76,20 +76,10 @@ pub fn prepare((mut solver, build_ms): (DistanceSolver, f64), options: &Distance
     Ok(Prepared { solver, build_ms, precompute_ms: prepared_ms, stages_ms })
 }
 
-/// Nobody stops the program but by its process.
-pub fn go_on(_: Step) -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
-
 /// So many vertices, the same ones at every run.
 pub fn sample(surface: &Surface, count: u32) -> Vec<VertexId> {
-    let vertices = surface.vertex_count() as u64;
-    let mut state = 1_u64;
-    let draw = |_| {
-        // Multiplier and increment of Knuth's MMIX; its high bits are the random ones.
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        VertexId::from_index(((state >> 33) % vertices) as usize)
-    };
+    let mut random = SplitMix64::seed_from_u64(1);
+    let draw = |_| VertexId::from_index(random.random_range(0..surface.vertex_count()));
     (0..count).map(draw).collect()
 }
 

@@ -99,7 +99,7 @@ impl Tetrahedra {
         let soup = Soup::single("surface", positions, triangles.as_chunks().0.to_vec());
         let surface = Surface::build(&soup)?;
         let solid = Solid::new(&soup, &surface, NonZeroUsize::MIN)?;
-        let filled = solid.fill(Resolution::Tetrahedra(tetrahedra as usize), &mut |share| {
+        let filled = solid.fill(Resolution::Tetrahedra(tetrahedra as usize), &mut |_, share| {
             // What the page does with it is no reason to stop.
             let _ = progress.call1(&JsValue::NULL, &share.into());
             ControlFlow::Continue(())

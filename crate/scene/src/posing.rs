@@ -110,7 +110,7 @@ impl Posing {
 mod tests {
     use glam::DQuat;
     use heatwalk::surface::motion::{
-        Channel, Clip, Deformer, Hierarchy, Influences, Interpolation, Node, Placement, Target, Track,
+        Channel, Clip, Deformer, Influences, Interpolation, Node, NodeTree, Placement, Target, Track,
     };
     use heatwalk_shapes as shapes;
 
@@ -135,7 +135,7 @@ mod tests {
         let values = times.iter().map(|time| turn(4.0 * time).as_quat().to_array()).collect();
         let track = Track::new(times.to_vec(), values, Interpolation::Linear).expect("keyframes");
         let channels = vec![Channel { node: 0, target: Target::Rotation(track) }];
-        let hierarchy = Hierarchy::new(vec![Node { parent: None, placement: Placement::IDENTITY }]).expect("a node");
+        let hierarchy = NodeTree::new(vec![Node { parent: None, placement: Placement::IDENTITY }]).expect("a node");
         let clip = Clip { name: "turn".to_owned(), channels, left_out: 0 };
         soup.motion = Arc::new(Motion::new(hierarchy, Vec::new(), vec![deformer], vec![clip]).expect("a motion"));
         soup

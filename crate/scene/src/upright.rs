@@ -107,9 +107,7 @@ mod tests {
         let mut soup = Soup::single("boxes", Vec::new(), Vec::new());
         for &[low, high] in boxes {
             let (positions, triangles) = cuboid(low.into(), high.into());
-            let first = soup.positions.len() as u32;
-            soup.positions.extend(positions);
-            soup.triangles.extend(triangles.into_iter().map(|corners| corners.map(|corner| corner + first)));
+            soup.add(positions, &triangles);
         }
         soup
     }

@@ -5,13 +5,13 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use crate::common;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::common::{any_triangles, band, book, distance_from, random, soup, square, surface};
+use crate::common::truth::Random;
+use crate::common::{any_triangles, band, book, distance_from, soup, square, surface, two_squares};
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
-use heatwalk::{Costs, Distance, Error, HeatSolver, Parameters, Place, Soup, Surface, VertexId};
+use heatwalk::{Costs, Distance, Error, HeatSolver, Parameters, Place, Soup, Surface, VertexId, go_on};
 use heatwalk_scene::{Crowd, DrawTransform, Walker};
 use heatwalk_shapes as shapes;
 
@@ -78,7 +78,7 @@ fn crowd_on(solver: &HeatSolver, distance: &Distance, count: usize) -> Crowd {
 }
 
 fn solver_of(soup: &Soup) -> HeatSolver {
-    HeatSolver::new(surface(soup), Parameters::default(), &mut |_, _| ControlFlow::Continue(())).expect("factors")
+    HeatSolver::new(surface(soup), Parameters::default(), &mut go_on).expect("factors")
 }
 
 /// The greatest slope of a face.
@@ -181,15 +181,15 @@ fn any_surface() {
     for position in &mut squashed.positions {
         position.x *= 1e-4;
     }
-    let mut seed = 3;
+    let mut random = Random::new(3);
     let mut crumpled = square(10);
     for position in &mut crumpled.positions {
-        *position += 0.2 * DVec3::from_array([(); 3].map(|()| random(&mut seed, 1000) as f64 / 1000.0));
+        *position += 0.1 * random.point();
         position.z *= 1e-6;
     }
     let maze = shapes::maze(4, 3).select(&[0]).expect("part 0 is the road");
     let mut soups = vec![frame(12), shapes::strip(1.0, 20.0, 4), maze, band(24, 1), book(3, 6), squashed, crumpled];
-    soups.extend([5, 9, 20, 40].map(|points| any_triangles(points, &mut seed)));
+    soups.extend([5, 9, 20, 40].map(|points| any_triangles(points, &mut random)));
     for (index, soup) in soups.iter().enumerate() {
         let solver = solver_of(soup);
         let surface = solver.surface();
@@ -219,11 +219,7 @@ fn any_surface() {
 
 #[test]
 fn a_source_moves_under_way() {
-    let mut two = square(6);
-    let first = two.positions.len() as u32;
-    let other = square(6);
-    two.positions.extend(other.positions.iter().map(|&position| position + DVec3::Z));
-    two.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first)));
+    let (two, first) = two_squares(6);
     let solver = solver_of(&two);
     let surface = solver.surface();
     let distances =
@@ -364,7 +360,7 @@ fn exact_distances_are_walked_to_the_end() {
     let surface = solver.surface();
     let source = Place::Vertex(VertexId(9));
     let mut distance = solver.distance(&[source]).expect("a source");
-    distance.values = exact_distance(surface, &[(source, 0.0)], &mut |_| ControlFlow::Continue(())).expect("a source");
+    distance.values = exact_distance(surface, &[(source, 0.0)], &mut go_on).expect("a source");
     let mut crowd = crowd_on(&solver, &distance, 300);
     let mut is_out = [true; 300];
     for _ in 0..(1.3 * distance.max() / surface.mean_edge()) as usize {

@@ -2,11 +2,9 @@
 
 use crate::common;
 
-use std::ops::ControlFlow;
-
 use crate::common::surface;
 use glam::DVec3;
-use heatwalk::{BridgeRule, Bridges, HeatSolver, Operator, Parameters, VertexId};
+use heatwalk::{BridgeRule, Bridges, HeatSolver, Operator, Parameters, VertexId, go_on};
 use heatwalk_scene::overlay::{self, Segment};
 use heatwalk_shapes as shapes;
 
@@ -33,7 +31,7 @@ fn edges_of_the_plain_operator_are_those_of_the_mesh() {
     let sphere = surface(&shapes::uv_sphere(24, 12));
     let edges = overlay::inner_edges(&sphere).len();
     let plain = Parameters { operator: Operator::Plain, ..Parameters::default() };
-    let solver = HeatSolver::new(sphere, plain, &mut |_, _| ControlFlow::Continue(())).expect("a sphere");
+    let solver = HeatSolver::new(sphere, plain, &mut go_on).expect("a sphere");
     assert_eq!(overlay::operator_edges(&solver, solver.surface()).expect("edges").len(), edges);
 }
 
@@ -52,7 +50,7 @@ fn a_flipped_edge_is_drawn_across_faces_with_its_own_length() {
         let ((ax, ay), (dx, dy)) = (place(a), place(d));
         (ax - dx).hypot(ay + dy)
     };
-    let solver = HeatSolver::new(tent, Parameters::default(), &mut |_, _| ControlFlow::Continue(())).expect("a tent");
+    let solver = HeatSolver::new(tent, Parameters::default(), &mut go_on).expect("a tent");
     let is_on_fold = |point: &DVec3| point.y == 0.5 && point.x.abs() < 1.0;
     let crossing: Vec<Segment> = overlay::operator_edges(&solver, solver.surface())
         .expect("edges")

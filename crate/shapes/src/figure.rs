@@ -161,10 +161,10 @@ pub fn ground() -> Part {
 
 /// Parts united and carved one after another, from a first one on.
 pub struct Figure {
-    steps: Vec<Step>,
+    steps: Vec<Operation>,
 }
 
-struct Step {
+struct Operation {
     part: Part,
     /// Width over which the crease is rounded.
     blend: f64,
@@ -173,24 +173,24 @@ struct Step {
 
 impl Figure {
     pub fn new(first: Part) -> Self {
-        Self { steps: vec![Step { part: first, blend: f64::MIN_POSITIVE, carves: false }] }
+        Self { steps: vec![Operation { part: first, blend: f64::MIN_POSITIVE, carves: false }] }
     }
 
     /// Adds a part, its seam rounded over the width `blend`.
     pub fn unite(&mut self, blend: f64, part: Part) {
-        self.steps.push(Step { part, blend, carves: false });
+        self.steps.push(Operation { part, blend, carves: false });
     }
 
     /// Takes a part away from all that was united before, the rim rounded over the width `blend`.
     pub fn carve(&mut self, blend: f64, part: Part) {
-        self.steps.push(Step { part, blend, carves: true });
+        self.steps.push(Operation { part, blend, carves: true });
     }
 
     /// About the distance to the surface, negative inside.
     pub fn distance(&self, point: DVec3) -> f64 {
         let mirrored = DVec3::new(point.x, point.y, point.z.abs());
         let mut distance = f64::INFINITY;
-        for Step { part, blend, carves } in &self.steps {
+        for Operation { part, blend, carves } in &self.steps {
             let point = if part.on_both_sides { mirrored } else { point };
             let to_reach = point.distance(part.centre) - part.reach;
             let so_far = if *carves { -distance } else { distance };

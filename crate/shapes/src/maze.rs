@@ -4,8 +4,8 @@ use glam::DVec3;
 use std::collections::HashMap;
 
 use heatwalk_surface::Soup;
+use rand::{Rng, SeedableRng};
 use rand_xoshiro::SplitMix64;
-use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
 const ROAD_WIDTH: f64 = 1.0;
 const WALL_WIDTH: f64 = 0.2;

@@ -15,10 +15,12 @@ pub fn skull(spacing: f64) -> Soup {
     let mut soup = Soup::default();
     let half_width = DVec3::new(0.0, 0.0, 0.95);
     let (low, high) = (DVec3::new(-1.15, 0.25, 0.0), DVec3::new(1.2, 2.25, 0.0));
-    add_mesh(&mut soup, upper_skull().mesh(low - half_width, high + half_width, spacing));
+    let (positions, triangles) = upper_skull().mesh(low - half_width, high + half_width, spacing);
+    soup.add(positions, &triangles);
     soup.end_part("skull");
     let (low, high) = (DVec3::new(-0.2, -0.12, 0.0), DVec3::new(1.2, 1.1, 0.0));
-    add_mesh(&mut soup, lower_jaw().mesh(low - half_width, high + half_width, spacing));
+    let (positions, triangles) = lower_jaw().mesh(low - half_width, high + half_width, spacing);
+    soup.add(positions, &triangles);
     soup.end_part("lower jaw");
     for side in [1.0, -1.0] {
         add_bowl(&mut soup, ORBIT * DVec3::new(1.0, 1.0, side), 0.95 * ORBIT_RADII, orbit_turn(side));
@@ -29,12 +31,6 @@ pub fn skull(spacing: f64) -> Soup {
     revolve(&mut soup, &STAND, 128);
     soup.end_part("stand");
     soup
-}
-
-fn add_mesh(soup: &mut Soup, (positions, triangles): (Vec<DVec3>, Vec<[u32; 3]>)) {
-    let start = soup.positions.len() as u32;
-    soup.positions.extend(positions);
-    soup.triangles.extend(triangles.into_iter().map(|corners| corners.map(|vertex| start + vertex)));
 }
 
 /// Half an ellipsoid, open towards its +x and turned: its inside is its front.

@@ -12,7 +12,7 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use heatwalk::operator::Operators;
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
 use heatwalk::{
-    Boundary, ExactRadius, HeatSolver, Operator, Parameters, Place, Stage, Surface, TimeStep, VertexId, descend,
+    Boundary, ExactRadius, HeatSolver, Operator, Parameters, Place, Stage, Surface, TimeStep, VertexId, descend, go_on,
     straighten,
 };
 use heatwalk_scene::{Crowd, DrawTransform};
@@ -30,10 +30,6 @@ fn surface() -> Arc<Surface> {
 fn solver(surface: &Arc<Surface>, exact_radius: ExactRadius) -> HeatSolver {
     let parameters = Parameters { exact_radius, ..Parameters::default() };
     HeatSolver::new(Arc::clone(surface), parameters, &mut go_on).expect("a sphere can be factored")
-}
-
-fn go_on(_: Stage, _: f64) -> ControlFlow<()> {
-    ControlFlow::Continue(())
 }
 
 fn building(criterion: &mut Criterion) {

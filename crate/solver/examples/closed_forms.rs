@@ -4,10 +4,9 @@
 //! `cargo run --release -p heatwalk --example closed_forms`
 
 use std::error::Error;
-use std::ops::ControlFlow;
 
 use glam::DVec3;
-use heatwalk::{HeatSolver, Parameters, Place, RelativeError, Soup, Surface, VertexId};
+use heatwalk::{HeatSolver, Parameters, Place, RelativeError, Soup, Surface, VertexId, go_on};
 use heatwalk_shapes as shapes;
 
 /// Vertices that measure the spheres: one of the twelve with five neighbours, and another.
@@ -30,7 +29,7 @@ fn measure(
     exact: impl Fn(DVec3, DVec3) -> f64,
 ) -> Result<(), Box<dyn Error>> {
     let surface = Surface::build(soup)?;
-    let solver = HeatSolver::new(surface, Parameters::default(), &mut |_, _| ControlFlow::Continue(()))?;
+    let solver = HeatSolver::new(surface, Parameters::default(), &mut go_on)?;
     let positions = solver.surface().positions();
     for &source in sources {
         let distance = solver.distance(&[Place::Vertex(source)])?;

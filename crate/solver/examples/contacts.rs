@@ -8,12 +8,13 @@
 mod common;
 
 use std::error::Error;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
 use common::pieces::{CHANGES, Change, Errors, Pieces, wholes};
-use heatwalk::{BridgeRule, Bridges, DistanceOptions, DistanceSolver, Method, Surface, VertexData, VertexId, WeldRule};
+use heatwalk::{
+    BridgeRule, Bridges, DistanceOptions, DistanceSolver, Method, Surface, VertexData, VertexId, WeldRule, go_on,
+};
 
 /// Runs of which the least time counts.
 const RUNS: usize = 60;
@@ -68,8 +69,7 @@ fn answers(surface: &Arc<Surface>, bridges: Bridges, source: VertexId) -> Result
     let mut solver = DistanceSolver::new(Arc::clone(surface)).bridged(bridges);
     let by = |method| {
         let options = DistanceOptions::by(method);
-        let go_on = &mut |_| ControlFlow::Continue(());
-        let (answer, ms) = timed(|| Ok(solver.distance(&[source], &options, go_on)?))?;
+        let (answer, ms) = timed(|| Ok(solver.distance(&[source], &options, &mut go_on)?))?;
         Ok(Timed { values: answer.distance.values, ms })
     };
     [Method::Exact, Method::Propagation, Method::Heat].into_iter().map(by).collect()

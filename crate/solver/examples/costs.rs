@@ -7,14 +7,13 @@
 mod common;
 
 use std::error::Error;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
 use common::media::{jittered_square, least_cost, two_media};
 use common::nearest;
 use glam::DVec3;
-use heatwalk::{Costs, DistanceOptions, DistanceSolver, Method, Surface, VertexId};
+use heatwalk::{Costs, DistanceOptions, DistanceSolver, Method, Surface, VertexId, go_on};
 
 /// Runs of which the least time counts.
 const RUNS: usize = 5;
@@ -50,8 +49,7 @@ fn measured(
     for _ in 0..RUNS {
         let start = Instant::now();
         let mut solver = DistanceSolver::new(Arc::clone(surface)).weighted(costs.clone());
-        let go_on = &mut |_| ControlFlow::Continue(());
-        values = solver.distance(&[source], &DistanceOptions::by(method), go_on)?.distance.values.into_vec();
+        values = solver.distance(&[source], &DistanceOptions::by(method), &mut go_on)?.distance.values.into_vec();
         least = least.min(start.elapsed().as_secs_f64() * 1e3);
     }
     Ok((values, least))

@@ -1,10 +1,8 @@
 //! Distances on a "cow".glb, as the page of Heatwalk shows them: a line of vertex,distance each.
 
-use std::ops::ControlFlow;
-
 use heatwalk::{
     BridgeRule, Bridges, DistanceOptions, DistanceSolver, InputTriangle, InputVertex, Method, Place, Surface, Windows,
-    io,
+    go_on, io,
 };
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -26,7 +24,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut solver = DistanceSolver::new(surface).bridged(bridges);
     let windows = Windows::AtMost(4.try_into()?);
     let options = DistanceOptions { windows, ..DistanceOptions::by(Method::Propagation) };
-    let mut go_on = |_| ControlFlow::Continue(());
     let distance = solver.distance(&sources, &options, &mut go_on)?.distance;
     for input in 0..soup.positions.len() as u32 {
         let vertex = solver.surface().vertex_of_input(InputVertex(input));

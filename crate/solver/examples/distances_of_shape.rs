@@ -1,9 +1,7 @@
 //! Distances on shape:torus, as the page of Heatwalk shows them: a line of vertex,distance each.
 
-use std::ops::ControlFlow;
-
 use heatwalk::{
-    DistanceOptions, DistanceSolver, ExactRadius, InputVertex, Method, Parameters, Place, Surface, TimeStep,
+    DistanceOptions, DistanceSolver, ExactRadius, InputVertex, Method, Parameters, Place, Surface, TimeStep, go_on,
 };
 use heatwalk_shapes::by_name;
 
@@ -22,7 +20,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ..Parameters::default()
     };
     let options = DistanceOptions { heat, ..DistanceOptions::by(Method::Heat) };
-    let mut go_on = |_| ControlFlow::Continue(());
     let distance = solver.distance(&sources, &options, &mut go_on)?.distance;
     for input in 0..soup.positions.len() as u32 {
         let vertex = solver.surface().vertex_of_input(InputVertex(input));

@@ -6,7 +6,6 @@
 use std::error::Error;
 use std::fs;
 use std::hint::black_box;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -21,7 +20,7 @@ use faer::{Conj, MatMut, Par, Side, Spec};
 use heatwalk::operator::Operators;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::sparse::{Permutation, Symbolic, SymmetricMatrix};
-use heatwalk::{Operator, Surface, io};
+use heatwalk::{Operator, Surface, go_on, io};
 use serde_json::{Value, json};
 
 /// Each time is the median of so many. Ours and faer's are taken in turn.
@@ -156,10 +155,6 @@ fn poisson(laplacian: &Laplacian, surface: &Surface) -> SymmetricMatrix {
         }
     }
     SymmetricMatrix::new(Arc::clone(laplacian.stiffness.pattern()), values).expect("the values of the pattern")
-}
-
-fn go_on(_: f64) -> ControlFlow<()> {
-    ControlFlow::Continue(())
 }
 
 fn time(work: impl FnOnce() -> bool) -> f64 {

@@ -16,6 +16,8 @@ use std::time::Instant;
 use heatwalk::exact::{ExactGeometry, Wavefront};
 use heatwalk::{Place, Propagation, PropagationOptions, Soup, Surface, VertexId};
 use heatwalk_shapes as shapes;
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (options, numbers): (Vec<_>, Vec<_>) = std::env::args().skip(1).partition(|word| word.starts_with("--"));
@@ -60,11 +62,9 @@ fn built(soup: &Soup, threads: NonZeroUsize) -> heatwalk::Result<Arc<ExactGeomet
 
 /// Moves each vertex by up to `amount` along each axis, always in the same way.
 fn roughen(soup: &mut Soup, amount: f64) {
-    let mut state = 1_u64;
+    let mut random = SplitMix64::seed_from_u64(1);
     for coordinate in soup.positions.iter_mut().flat_map(|position| position.as_mut()) {
-        // A linear congruential generator; its high bits are random enough.
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        *coordinate += amount * ((state >> 33) as f64 / f64::from(1_u32 << 30) - 1.0);
+        *coordinate += amount * random.random_range(-1.0..1.0);
     }
 }
 

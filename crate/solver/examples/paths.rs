@@ -9,13 +9,14 @@ mod shortness;
 use std::error::Error;
 use std::f64::consts::PI;
 use std::fs;
-use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
 use heatwalk::exact::exact_distance;
-use heatwalk::{HeatSolver, Parameters, Place, Surface, VertexId, descend, io, straighten};
+use heatwalk::{Element, HeatSolver, Parameters, Place, Surface, VertexId, descend, go_on, io, straighten};
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
 
 const SOURCES: usize = 40;
 const STARTS_PER_SOURCE: usize = 50;
@@ -40,20 +41,15 @@ fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let soup = io::read(&name, &fs::read(path)?, &|uri| fs::read(folder.join(uri)).ok())?;
     let surface = Arc::new(Surface::build(&soup)?);
-    let go_on = |_, _| ControlFlow::Continue(());
-    let solver = HeatSolver::new(Arc::clone(&surface), Parameters::default(), &mut { go_on })?;
-    // Knuth's 64-bit linear congruential generator: the same pairs at every run.
-    let mut state = 1_u64;
-    let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        VertexId(((state >> 33) % surface.vertex_count() as u64) as u32)
-    };
+    let solver = HeatSolver::new(Arc::clone(&surface), Parameters::default(), &mut go_on)?;
+    let mut random = SplitMix64::seed_from_u64(1);
+    let mut random = || VertexId::from_index(random.random_range(0..surface.vertex_count()));
     let (mut pairs, mut arrived, mut shortest) = (0, 0, 0);
     let (mut least, mut milliseconds) = (f64::INFINITY, 0.0);
     let mut excesses = [Vec::new(), Vec::new()];
     for _ in 0..SOURCES {
         let source = Place::Vertex(random());
-        let exact = exact_distance(&surface, &[source], &mut |_| ControlFlow::Continue(()))?;
+        let exact = exact_distance(&surface, &[source], &mut go_on)?;
         let distance = solver.distance(&[source])?;
         for _ in 0..STARTS_PER_SOURCE {
             let from = random();

@@ -5,10 +5,9 @@
 
 use std::error::Error;
 use std::fs;
-use std::ops::ControlFlow;
 use std::time::Instant;
 
-use heatwalk::{Boundary, Element, HeatSolver, Parameters, Place, Stage, Surface, TimeStep, VertexId, edge_path, io};
+use heatwalk::{Boundary, Element, HeatSolver, Parameters, Place, Surface, TimeStep, VertexId, edge_path, go_on, io};
 use serde_json::{Value, json};
 
 const SINGLES: usize = 10;
@@ -89,10 +88,6 @@ fn places(surface: &Surface) -> impl Iterator<Item = Place> + use<> {
     // Steps of the golden section fill a range evenly.
     let step = (count as f64 * 0.618_033_988_749_894_9) as usize;
     (1..).map(move |index: usize| Place::Vertex(VertexId::from_index(index * step % count)))
-}
-
-fn go_on(_: Stage, _: f64) -> ControlFlow<()> {
-    ControlFlow::Continue(())
 }
 
 fn time<A>(work: impl FnOnce() -> heatwalk::Result<A>) -> heatwalk::Result<f64> {

@@ -5,14 +5,13 @@
 //! (all that a [`Method`] needs, made when it is first asked for) → [`Distance`] → [`Path`]s down it:
 //!
 //! ```
-//! use std::ops::ControlFlow;
-//! use heatwalk::{DistanceOptions, DistanceSolver, Method, PathKind, Surface, VertexId};
+//! use heatwalk::{DistanceOptions, DistanceSolver, Method, PathKind, Surface, VertexId, go_on};
 //! use heatwalk_shapes::icosphere;
 //!
 //! # fn main() -> heatwalk::Result<()> {
 //! let mut solver = DistanceSolver::new(Surface::build(&icosphere(3))?);
 //! let options = DistanceOptions::default();
-//! let answer = solver.distance(&[VertexId(0)], &options, &mut |_| ControlFlow::Continue(()))?;
+//! let answer = solver.distance(&[VertexId(0)], &options, &mut go_on)?;
 //! assert_eq!(answer.method, Method::Exact, "on so small a mesh");
 //! assert!((answer.distance.max() - std::f64::consts::PI).abs() < 0.01, "half a great circle of the unit sphere");
 //!
@@ -66,7 +65,6 @@ pub mod heat;
 pub mod operator;
 mod options;
 pub mod path;
-mod progress;
 pub mod propagation;
 mod refinement;
 mod room;
@@ -85,6 +83,7 @@ pub use distance::{Distance, PortalCrossing};
 pub use error::{Error, Result};
 pub use footprint::{footprint, require_room};
 pub use heat::{Factorization, HeatSolver, Query, Refinement};
+pub use heatwalk_sparse::{Progress, Stage, go_on};
 pub use heatwalk_surface::{
     Appearance, BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh,
     InputTriangle, InputVertex, LengthUnit, Link, Motion, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface,
@@ -96,7 +95,6 @@ pub use options::{
     Method, MultiSource, Operator, Parameters, PathKind, TRIANGLE_BYTES, TimeStep, Up, VertexField, WINDOWS,
 };
 pub use path::{Enclosed, PathSearch, Straightest, descend, enclosed, refract, straighten, straightest};
-pub use progress::{Progress, Stage, Step, Steps};
 pub use propagation::{Carriers, ExactSearch, Propagation, PropagationOptions, Windows};
 pub use refinement::PropagationRefinement;
 pub use solver::{Answer, DistanceOptions, DistanceSolver, Joined, Solution};

@@ -11,6 +11,35 @@ use crate::error::{Error, Result};
 /// The word for an automatic choice of a number.
 pub const AUTOMATIC: &str = "auto";
 
+/// What those have in common that are [`AUTOMATIC`] or a number: `automatic!(Type::Number, "name", "range", |number| is_out_of_range)`.
+macro_rules! automatic {
+    ($type:ident::$variant:ident, $name:literal, $range:literal, |$number:ident| $is_out_of_range:expr) => {
+        impl $type {
+            /// # Errors
+            /// [`Error::BadParameter`] for a number that is out of range.
+            pub fn check(self) -> Result<()> {
+                match self {
+                    Self::$variant($number) if $is_out_of_range => Err(bad($name, &$number.to_string(), $range)),
+                    _ => Ok(()),
+                }
+            }
+        }
+
+        /// A number, or [`AUTOMATIC`].
+        impl FromStr for $type {
+            type Err = Error;
+
+            fn from_str(text: &str) -> Result<Self> {
+                if text == AUTOMATIC {
+                    return Ok(Self::Automatic);
+                }
+                let number = text.parse().map(Self::$variant).ok().filter(|number| number.check().is_ok());
+                number.ok_or_else(|| bad($name, text, concat!($range, ", or auto")))
+            }
+        }
+    };
+}
+
 /// How distances are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
@@ -92,31 +121,9 @@ pub enum TimeStep {
 impl TimeStep {
     /// The factors worth offering. Any positive one is taken.
     pub const FACTORS: RangeInclusive<f64> = 0.1..=1000.0;
-
-    /// # Errors
-    /// [`Error::BadParameter`] for a factor that is not positive and finite.
-    pub fn check(self) -> Result<()> {
-        match self {
-            Self::Factor(factor) if !(factor.is_finite() && factor > 0.0) => {
-                Err(bad("the time factor", &factor.to_string(), "a positive number"))
-            }
-            _ => Ok(()),
-        }
-    }
 }
 
-/// A factor, or [`AUTOMATIC`].
-impl FromStr for TimeStep {
-    type Err = Error;
-
-    fn from_str(text: &str) -> Result<Self> {
-        if text == AUTOMATIC {
-            return Ok(Self::Automatic);
-        }
-        let step = text.parse().map(Self::Factor).ok().filter(|step| step.check().is_ok());
-        step.ok_or_else(|| bad("the time factor", text, "a positive number, or auto"))
-    }
-}
+automatic!(TimeStep::Factor, "the time factor", "a positive number", |factor| !(factor.is_finite() && factor > 0.0));
 
 /// How several sources are joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -155,31 +162,10 @@ impl ExactRadius {
             Self::Edges(own) => Self::Edges(own.min(edges)),
         }
     }
-
-    /// # Errors
-    /// [`Error::BadParameter`] for a radius that is negative or not a number.
-    pub fn check(self) -> Result<()> {
-        match self {
-            Self::Edges(edges) if edges.is_nan() || edges < 0.0 => {
-                Err(bad("the exact radius", &edges.to_string(), "a number of mean edge lengths, 0 or more"))
-            }
-            _ => Ok(()),
-        }
-    }
 }
 
-/// A number of mean edges, or [`AUTOMATIC`].
-impl FromStr for ExactRadius {
-    type Err = Error;
-
-    fn from_str(text: &str) -> Result<Self> {
-        if text == AUTOMATIC {
-            return Ok(Self::Automatic);
-        }
-        let radius = text.parse().map(Self::Edges).ok().filter(|radius| radius.check().is_ok());
-        radius.ok_or_else(|| bad("the exact radius", text, "a number of mean edge lengths, 0 or more, or auto"))
-    }
-}
+automatic!(ExactRadius::Edges, "the exact radius", "a number of mean edge lengths, 0 or more", |edges| edges.is_nan()
+    || edges < 0.0);
 
 /// Most memory that factors may take.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

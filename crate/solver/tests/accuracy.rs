@@ -5,14 +5,13 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use crate::common;
 
-use std::ops::ControlFlow;
-
 use crate::common::exact_distances::{self, Field, Known};
 use crate::common::{distance_from, heat_only, nearest, solver, solver_with, square, surface};
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
 use heatwalk::{
     Boundary, Element, InputVertex, LinearSolver, Operator, Parameters, Place, RelativeError, Soup, TimeStep, VertexId,
+    go_on,
 };
 use heatwalk_shapes as shapes;
 
@@ -168,7 +167,7 @@ fn graded_ellipsoid(subdivisions: u32) -> Soup {
 fn error_from(soup: &Soup, source: u32, parameters: Parameters) -> RelativeError {
     let solver = solver_with(soup, parameters);
     let source = [solver.surface().vertex_of_input(InputVertex(source)).expect("a used vertex")];
-    let exact = exact_distance(solver.surface(), &source, &mut |_| ControlFlow::Continue(())).expect("a source");
+    let exact = exact_distance(solver.surface(), &source, &mut go_on).expect("a source");
     RelativeError::between(&solver.distance(&source).expect("a source").values, exact.as_slice())
 }
 
@@ -192,7 +191,7 @@ fn distances_on_a_bumpy_surface_are_hardly_too_long() {
     let solver = solver_with(&soup, Parameters::default());
     for source in [1000, 4000].map(VertexId) {
         let source = [Place::Vertex(source)];
-        let exact = exact_distance(solver.surface(), &source, &mut |_| ControlFlow::Continue(())).expect("a source");
+        let exact = exact_distance(solver.surface(), &source, &mut go_on).expect("a source");
         let values = solver.distance(&source).expect("a source").values;
         let excesses = values.iter().zip(exact.iter()).filter(|&(_, &exact)| exact > 0.0).map(|(a, b)| a / b - 1.0);
         let mean = excesses.sum::<f64>() / values.len() as f64;

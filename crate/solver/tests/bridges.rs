@@ -3,15 +3,15 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::common::{random, soup, square};
-use glam::{DVec3, dvec3};
+use crate::common::square;
+use crate::common::truth::Random;
+use glam::dvec3;
 use heatwalk::exact::{ExactGeometry, PlaceDistances, Wavefront, shortest_path};
 use heatwalk::{
     Bridges, Carriers, DistanceOptions, DistanceSolver, Element, ExactSearch, FaceId, Method, Place, Portal,
-    Propagation, PropagationOptions, PropagationRefinement, Surface, VertexId, descend, straighten,
+    Propagation, PropagationOptions, PropagationRefinement, Soup, Surface, VertexId, descend, go_on, straighten,
 };
 use heatwalk_shapes as shapes;
 
@@ -19,23 +19,22 @@ const ROUNDING: f64 = 1e-11;
 
 /// Three components side by side, and a fourth that nothing leads to.
 fn parts() -> Arc<Surface> {
-    let mut positions: Vec<DVec3> = Vec::new();
-    let mut triangles: Vec<[u32; 3]> = Vec::new();
+    let mut soup = Soup::default();
     let parts = [shapes::icosphere(3), shapes::torus(1.0, 0.4, 24, 12), square(9), shapes::icosphere(1)];
     for (part, number) in parts.into_iter().zip(0..) {
-        let first = positions.len() as u32;
-        positions.extend(part.positions.iter().map(|&position| position + dvec3(3.0 * f64::from(number), 0.0, 0.0)));
-        triangles.extend(part.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first)));
+        let place = dvec3(3.0 * f64::from(number), 0.0, 0.0);
+        soup.add(part.positions.iter().map(|&position| position + place), &part.triangles);
     }
-    Arc::new(Surface::build(&soup(positions, triangles)).expect("a surface"))
+    soup.end_part("parts");
+    Arc::new(Surface::build(&soup).expect("a surface"))
 }
 
 /// A place in a component: in a face, on an edge or at a vertex.
-fn place(surface: &Surface, component: u32, seed: &mut u64) -> Place {
+fn place(surface: &Surface, component: u32, random: &mut Random) -> Place {
     let faces: Vec<FaceId> = (0..surface.face_count()).map(FaceId::from_index).collect();
     let own: Vec<FaceId> = faces.into_iter().filter(|&face| component_of(surface, face) == component).collect();
-    let face = own[random(seed, own.len())];
-    let weights = match random(seed, 4) {
+    let face = own[random.below(own.len())];
+    let weights = match random.below(4) {
         0 => [1.0, 0.0, 0.0],
         1 => [0.25, 0.75, 0.0],
         _ => [0.2, 0.3, 0.5],
@@ -48,11 +47,11 @@ fn component_of(surface: &Surface, face: FaceId) -> u32 {
 }
 
 /// Portals between the first three components, some of them one after another, and within one.
-fn bridges(surface: &Surface, seed: &mut u64) -> Bridges {
+fn bridges(surface: &Surface, random: &mut Random) -> Bridges {
     let between = [[0, 1], [1, 2], [0, 2], [1, 1]];
     let contact = |components: [u32; 2]| {
         let portal = |_| {
-            let ends = components.map(|component| place(surface, component, seed));
+            let ends = components.map(|component| place(surface, component, random));
             let [a, b] = ends.map(|end| end.position(surface));
             Portal { ends, gap: a.distance(b) }
         };
@@ -101,9 +100,9 @@ struct Case {
 fn cases() -> Vec<Case> {
     let surface = parts();
     let case = |seed: u64| {
-        let mut seed = seed;
-        let bridges = bridges(&surface, &mut seed);
-        let source = place(&surface, 0, &mut seed);
+        let mut random = Random::new(seed);
+        let bridges = bridges(&surface, &mut random);
+        let source = place(&surface, 0, &mut random);
         let expected = expected(&surface, &bridges, source);
         Case { surface: Arc::clone(&surface), bridges, source, expected }
     };
@@ -142,10 +141,10 @@ fn exact_distances_cross_portals() {
 
 #[test]
 fn places_in_faces_are_reached_through_portals() {
-    let mut seed = 5;
+    let mut random = Random::new(5);
     for case in cases() {
         let geometry = geometry(&case);
-        let places: Vec<Place> = (0..30).map(|number| place(&case.surface, number % 3, &mut seed)).collect();
+        let places: Vec<Place> = (0..30).map(|number| place(&case.surface, number % 3, &mut random)).collect();
         let mut front = Wavefront::with_targets(Arc::clone(&geometry), &[case.source], &places).expect("valid places");
         front.advance(f64::INFINITY, usize::MAX).expect("room for windows");
         let distances = PlaceDistances::new(&geometry, front.values(), &[case.source]).expect("a source");
@@ -194,8 +193,7 @@ fn paths_arrive_through_portals_and_are_no_shorter_than_exact_ones() {
         let mut solver = DistanceSolver::new(Arc::clone(&case.surface)).bridged(case.bridges.clone());
         let end = case.source.position(&case.surface);
         for method in [Method::Exact, Method::Propagation, Method::Heat] {
-            let go_on = &mut |_| ControlFlow::Continue(());
-            let answer = solver.distance(&[case.source], &DistanceOptions::by(method), go_on).expect("a distance");
+            let answer = solver.distance(&[case.source], &DistanceOptions::by(method), &mut go_on).expect("a distance");
             let distance = answer.distance;
             assert_eq!(distance.sources.len(), 1);
             let (mut error, mut count) = (0.0, 0.0);
@@ -220,7 +218,7 @@ fn paths_arrive_through_portals_and_are_no_shorter_than_exact_ones() {
             let most = if method == Method::Heat { 0.05 } else { 0.01 };
             assert!(error / count <= most, "{method:?}: {}", error / count);
         }
-        let from = place(&case.surface, 2, &mut 9);
+        let from = place(&case.surface, 2, &mut Random::new(9));
         let path = shortest_path(&geometry(&case), from, &[case.source]).expect("a path");
         let value = within(&geometry(&case), case.source, &[from]).1[0];
         assert!(is_near(path.length(), value), "{} for {value}", path.length());
@@ -231,7 +229,7 @@ fn paths_arrive_through_portals_and_are_no_shorter_than_exact_ones() {
 fn components_that_are_joined_are_one_group() {
     let surface = parts();
     assert_eq!(Bridges::new(&surface, Vec::new()).group_count(), 4);
-    let bridges = bridges(&surface, &mut 1);
+    let bridges = bridges(&surface, &mut Random::new(1));
     assert_eq!(bridges.group_count(), 2);
     assert_eq!([0, 1, 2, 3].map(|component| bridges.group(component)), [0, 0, 0, 1]);
     assert_eq!(bridges.contacts().len(), 4);

@@ -2,17 +2,16 @@
 //! itself does not offer.
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::{nearest, square, surface};
 use glam::{DVec2, DVec3};
 use heatwalk::heat::{Condition, Constraint, HeatFlow, Poisson, Systems};
 use heatwalk::operator::Operators;
-use heatwalk::{Element, Error, FaceId, LinearSolver, Operator, Surface, VertexData, VertexId};
+use heatwalk::{Element, Error, FaceId, LinearSolver, Operator, Surface, VertexData, VertexId, go_on};
 
 fn systems(operators: Operators) -> Arc<Systems> {
-    Systems::new(operators, LinearSolver::Cholesky, &mut |_, _| ControlFlow::Continue(())).expect("an order")
+    Systems::new(operators, LinearSolver::Cholesky, &mut go_on).expect("an order")
 }
 
 /// The heat method on any metric, put together by hand.
@@ -20,7 +19,7 @@ fn distance_in(operators: Operators, source: VertexId) -> Vec<f64> {
     let systems = systems(operators);
     let operators = systems.operators();
     let time = operators.mean_edge().powi(2);
-    let flow = HeatFlow::new(&systems, time, Condition::Neumann).expect("factors");
+    let flow = HeatFlow::new(&systems, time, Condition::Neumann, &mut go_on).expect("factors");
     let (heat, supplies) = flow
         .solve_constrained(&vec![0.0; operators.vertex_count()], &[Constraint::at_vertex(source, 1.0)])
         .expect("heat");
@@ -30,7 +29,7 @@ fn distance_in(operators: Operators, source: VertexId) -> Vec<f64> {
         .into_iter()
         .map(|gradient| (-DVec2::from(gradient)).normalize_or_zero().to_array())
         .collect();
-    let poisson = Poisson::new(&systems).expect("factors");
+    let poisson = Poisson::new(&systems, &mut go_on).expect("factors");
     poisson.solve(&operators.divergence(&field), &[Constraint::at_vertex(source, 0.0)]).expect("distance")
 }
 
@@ -94,7 +93,7 @@ fn diffused_normals_of_a_curve_give_signed_distance() {
         normals[0][vertex] += normal.x;
         normals[1][vertex] += normal.y;
     }
-    let flow = HeatFlow::new(&systems, operators.mean_edge().powi(2), Condition::Neumann).expect("factors");
+    let flow = HeatFlow::new(&systems, operators.mean_edge().powi(2), Condition::Neumann, &mut go_on).expect("factors");
     let [x, y] = normals.map(|supply| flow.solve(&supply).expect("a component"));
     let field: Vec<[f64; 2]> = (0..operators.triangle_count())
         .map(|triangle| {
@@ -110,7 +109,7 @@ fn diffused_normals_of_a_curve_give_signed_distance() {
     let on_curve = nearest(&surface, center + DVec3::new(radius, 0.0, 0.0));
     let signed = |position: DVec3| position.distance(center) - radius;
     let constraint = Constraint::at_vertex(on_curve, signed(surface.position(on_curve)));
-    let poisson = Poisson::new(&systems).expect("factors");
+    let poisson = Poisson::new(&systems, &mut go_on).expect("factors");
     let values = poisson.solve(&operators.divergence(&field), &[constraint]).expect("signed distance");
     assert_near(&surface, &values, signed, 0.05);
 }
@@ -126,7 +125,10 @@ fn divergence_of_a_gradient_is_the_stiffness_and_poisson_inverts_it() {
         let divergence = operators.divergence(&operators.gradient(&values));
         let (low, high) = (VertexId(3), VertexId(100));
         let at = |vertex: VertexId| Constraint::at_vertex(vertex, values[vertex.0 as usize]);
-        let solved = Poisson::new(&systems).expect("factors").solve(&divergence, &[at(low), at(high)]).expect("solves");
+        let solved = Poisson::new(&systems, &mut go_on)
+            .expect("factors")
+            .solve(&divergence, &[at(low), at(high)])
+            .expect("solves");
         for (value, wanted) in solved.iter().zip(&values) {
             assert!((value - wanted).abs() < 1e-9, "{value} instead of {wanted} with {operator}");
         }
@@ -150,7 +152,8 @@ fn constraints_on_cold_vertices_and_beside_them_are_met_together() {
     let is_cold: VertexData<bool> = surface.positions().iter().map(|position| position.x == 0.0).collect();
     let cold = nearest(&surface, DVec3::new(0.0, 0.5, 0.0));
     let beside = surface.neighbours(cold).find(|&vertex| !is_cold[vertex]).expect("an inner neighbour");
-    let flow = HeatFlow::new(&systems, time, Condition::Dirichlet(Arc::new(is_cold.clone()))).expect("factors");
+    let flow =
+        HeatFlow::new(&systems, time, Condition::Dirichlet(Arc::new(is_cold.clone())), &mut go_on).expect("factors");
     let prescribed = Constraint::at_vertex(cold, 2.0);
     let mean = Constraint::new([(cold, 0.25), (beside, 0.75)], 0.5);
     let mut supply = vec![0.0; surface.vertex_count()];

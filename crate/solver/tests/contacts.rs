@@ -4,16 +4,15 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::num::NonZeroU16;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::pieces::{CHANGES, Errors, Pieces, wholes};
-use crate::common::random;
+use crate::common::truth::Random;
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront, shortest_path};
 use heatwalk::{
     BridgeRule, Bridges, Distance, DistanceOptions, DistanceSolver, Element, ExactSearch, Method, Path, Place,
-    Propagation, PropagationOptions, Soup, Surface, VertexId, WeldRule, Windows, descend, straighten,
+    Propagation, PropagationOptions, Soup, Surface, VertexId, WeldRule, Windows, descend, go_on, straighten,
 };
 use heatwalk_shapes as shapes;
 
@@ -32,8 +31,7 @@ const MOST_OF_HEAT: f64 = 0.3;
 const WIDEST_GAP: f64 = 3e-3;
 
 fn distance(solver: &mut DistanceSolver, source: VertexId, method: Method) -> Distance {
-    let go_on = &mut |_| ControlFlow::Continue(());
-    solver.distance(&[source], &DistanceOptions::by(method), go_on).expect("a distance").distance
+    solver.distance(&[source], &DistanceOptions::by(method), &mut go_on).expect("a distance").distance
 }
 
 #[test]
@@ -92,9 +90,8 @@ fn assembly() -> Arc<Surface> {
     ];
     let mut soup = Soup::default();
     for (part, scale, place) in parts {
-        let first = soup.positions.len() as u32;
-        soup.positions.extend(part.positions.iter().map(|&position| scale * position + DVec3::from_array(place)));
-        soup.triangles.extend(part.triangles.iter().map(|triangle| triangle.map(|vertex| first + vertex)));
+        let placed = part.positions.iter().map(|&position| scale * position + DVec3::from_array(place));
+        soup.add(placed, &part.triangles);
         soup.end_part("part");
     }
     Arc::new(Surface::build(&soup).expect("a surface"))
@@ -109,8 +106,8 @@ fn paths_through_an_assembly_arrive_and_hop_no_farther_than_allowed() {
     assert_eq!((surface.report().components, bridges.group_count()), (5, 1));
     let most = WIDEST_GAP * 2.0 * surface.bounding_radius();
     let mut solver = DistanceSolver::new(Arc::clone(&surface)).bridged(bridges);
-    let mut seed = 7;
-    let mut any = || VertexId::from_index(random(&mut seed, surface.vertex_count()));
+    let mut random = Random::new(7);
+    let mut any = || VertexId::from_index(random.below(surface.vertex_count()));
     for _ in 0..SOURCES {
         let source = any();
         let [exact, propagated, heat] =

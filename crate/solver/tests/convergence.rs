@@ -1,9 +1,7 @@
 //! Residuals of the two linear solvers.
 
-use std::ops::ControlFlow;
-
 use heatwalk::heat::Residuals;
-use heatwalk::{Boundary, FactorOptions, Factorization, LinearSolver, Query, Soup, Surface, TimeStep, VertexId};
+use heatwalk::{Boundary, FactorOptions, Factorization, LinearSolver, Query, Soup, Surface, TimeStep, VertexId, go_on};
 use heatwalk_shapes::{grid, icosphere};
 
 #[cfg(target_arch = "wasm32")]
@@ -14,7 +12,7 @@ const GOAL: f64 = 1e-12;
 
 fn factored(soup: &Soup, options: FactorOptions) -> Factorization {
     let surface = Surface::build(soup).expect("a surface");
-    Factorization::new(surface, options, &mut |_, _| ControlFlow::Continue(())).expect("factors")
+    Factorization::new(surface, options, &mut go_on).expect("factors")
 }
 
 fn assert_converges(residuals: &Residuals) {

@@ -3,7 +3,6 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::media::{jittered_square, least_cost, two_media};
@@ -11,7 +10,7 @@ use crate::common::{nearest, surface};
 use glam::{DVec2, DVec3};
 use heatwalk::{
     Costs, DistanceOptions, DistanceSolver, Error, FaceData, FaceId, Method, Surface, VertexData, VertexId, Windows,
-    tobler,
+    go_on, tobler,
 };
 use heatwalk_shapes::{grid, icosphere, torus};
 
@@ -22,7 +21,7 @@ fn distances(
     options: &DistanceOptions,
 ) -> VertexData<f64> {
     let mut solver = DistanceSolver::new(Arc::clone(surface)).weighted(costs.clone());
-    solver.distance(&[source], options, &mut |_| ControlFlow::Continue(())).expect("a source").distance.values
+    solver.distance(&[source], options, &mut go_on).expect("a source").distance.values
 }
 
 fn flat(surface: &Surface, vertex: VertexId) -> DVec2 {
@@ -135,10 +134,10 @@ fn exact_distances_with_several_costs_are_refused() {
         DistanceOptions::by(Method::Exact),
         DistanceOptions { windows: Windows::All, ..DistanceOptions::by(Method::Propagation) },
     ] {
-        let answer = solver.distance(&[VertexId(0)], &options, &mut |_| ControlFlow::Continue(()));
+        let answer = solver.distance(&[VertexId(0)], &options, &mut go_on);
         assert_eq!(answer, Err(Error::NotExact));
     }
-    let answer = solver.distance(&[VertexId(0)], &DistanceOptions::default(), &mut |_| ControlFlow::Continue(()));
+    let answer = solver.distance(&[VertexId(0)], &DistanceOptions::default(), &mut go_on);
     assert_eq!(answer.expect("an answer").distance.exact_below, 0.0);
 }
 

@@ -5,7 +5,6 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::f64::consts::{PI, TAU};
 use std::num::NonZeroUsize;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::pieces::{Change, Errors, Pieces, wholes};
@@ -13,6 +12,7 @@ use crate::common::soup;
 use glam::{DVec3, dvec3};
 use heatwalk::{
     BuildReport, DistanceOptions, DistanceSolver, InputVertex, Method, Soup, Surface, VertexData, VertexId, WeldRule,
+    go_on,
 };
 use heatwalk_shapes as shapes;
 
@@ -25,9 +25,8 @@ fn built(soup: &Soup, rule: WeldRule) -> Surface {
 }
 
 fn exact(surface: &Arc<Surface>, source: VertexId) -> VertexData<f64> {
-    let go_on = &mut |_| ControlFlow::Continue(());
     let mut solver = DistanceSolver::new(Arc::clone(surface));
-    let answer = solver.distance(&[source], &DistanceOptions::by(Method::Exact), go_on);
+    let answer = solver.distance(&[source], &DistanceOptions::by(Method::Exact), &mut go_on);
     answer.expect("a distance").distance.values
 }
 
@@ -59,9 +58,7 @@ fn sheet(height: f64, shift: f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
 fn together(parts: &[(Vec<DVec3>, Vec<[u32; 3]>)]) -> Soup {
     let mut whole = Soup::default();
     for (positions, triangles) in parts {
-        let first = whole.positions.len() as u32;
-        whole.positions.extend(positions);
-        whole.triangles.extend(triangles.iter().map(|triangle| triangle.map(|vertex| first + vertex)));
+        whole.add(positions.iter().copied(), triangles);
         whole.end_part("sheet");
     }
     whole

@@ -146,9 +146,7 @@ fn defects_that_add_a_little_surface() {
     }
 
     let mut pair = clean.clone();
-    let count = clean.positions.len() as u32;
-    pair.positions.extend(clean.positions.iter().map(|&position| position + DVec3::X * 5.0));
-    pair.triangles.extend(clean.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + count)));
+    pair.add(clean.positions.iter().map(|&position| position + DVec3::X * 5.0), &clean.triangles);
     check("disconnected", &pair, rounding);
     let (solver, distance) = distance(&pair, Operator::Delaunay);
     assert_eq!(distance.unreachable(), solver.surface().vertex_count() / 2);

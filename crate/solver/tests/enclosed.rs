@@ -5,7 +5,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::sync::Arc;
 
-use crate::common::{band, nearest, random, soup, square, surface};
+use crate::common::truth::Random;
+use crate::common::{band, nearest, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, shortest_path};
 use heatwalk::surface::VertexId;
@@ -52,10 +53,10 @@ fn on_square(surface: &Surface, x: f64, y: f64) -> Place {
 #[test]
 fn polygons_on_a_square_have_their_area_on_the_side_that_they_turn_to() {
     let surface = surface(&square(9));
-    let mut seed = 5;
+    let mut random = Random::new(5);
     for _ in 0..40 {
-        let corner = |seed: &mut u64| (random(seed, 998) as f64 + 1.0) / 1000.0;
-        let [a, b, c] = [(); 3].map(|()| [corner(&mut seed), corner(&mut seed)]);
+        let corner = |random: &mut Random| (random.below(998) as f64 + 1.0) / 1000.0;
+        let [a, b, c] = [(); 3].map(|()| [corner(&mut random), corner(&mut random)]);
         let expected = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
         let paths = ring(&surface, &[a, b, c].map(|[x, y]| on_square(&surface, x, y)));
         let [left, right] = sides(&surface, &paths);

@@ -3,15 +3,15 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::exact_distances::{self, Field, Known};
-use crate::common::{any_triangles, band, book, flat, nearest, random, soup, square, surface};
+use crate::common::truth::Random;
+use crate::common::{any_triangles, band, book, flat, nearest, soup, square, surface, two_squares};
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance};
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{Element, Error, FaceId, HalfedgeId, InputVertex, Path, Place, Soup, Surface, VertexId};
+use heatwalk::{Element, Error, FaceId, HalfedgeId, InputVertex, Path, Place, Soup, Surface, VertexId, go_on};
 use heatwalk_shapes as shapes;
 
 /// Everything is the length of a path, and lost to rounding is less than this share.
@@ -66,15 +66,14 @@ fn check_path(surface: &Surface, path: &Path, from: Place, value: f64, sources: 
     assert!(error.abs() <= EXACT * value, "{from:?}: {} for {value}", path.length() + offset);
 }
 
-fn random_location(surface: &Surface, seed: &mut u64) -> Place {
-    let mut share = || random(seed, 1000) as f64 / 1000.0;
-    let (a, b) = (share(), share());
-    match random(seed, 3) {
-        0 => Place::Vertex(VertexId::from_index(random(seed, surface.vertex_count()))),
-        1 => Place::Edge { halfedge: HalfedgeId(random(seed, surface.mesh().halfedge_count()) as u32), fraction: a },
+fn random_location(surface: &Surface, random: &mut Random) -> Place {
+    let (a, b) = (random.share(), random.share());
+    match random.below(3) {
+        0 => Place::Vertex(VertexId::from_index(random.below(surface.vertex_count()))),
+        1 => Place::Edge { halfedge: HalfedgeId(random.below(surface.mesh().halfedge_count()) as u32), fraction: a },
         _ => {
             let weights = [a, (1.0 - a) * b, (1.0 - a) * (1.0 - b)];
-            Place::Face { face: FaceId(random(seed, surface.face_count()) as u32), weights }
+            Place::Face { face: FaceId(random.below(surface.face_count()) as u32), weights }
         }
     }
 }
@@ -82,10 +81,10 @@ fn random_location(surface: &Surface, seed: &mut u64) -> Place {
 /// From random sources to random targets: values are symmetric, Lipschitz and those of paths; stopping is harmless.
 fn try_shape(soup: &Soup, rounds: usize, seed: u64) {
     let surface = Arc::new(surface(soup));
-    let mut seed = seed;
+    let mut random = Random::new(seed);
     for _ in 0..rounds {
-        let source = random_location(&surface, &mut seed);
-        let targets: Vec<_> = (0..20).map(|_| random_location(&surface, &mut seed)).collect();
+        let source = random_location(&surface, &mut random);
+        let targets: Vec<_> = (0..20).map(|_| random_location(&surface, &mut random)).collect();
         let sources = [(source, 0.25 * surface.mean_edge())];
         let wavefront = finished(&surface, &sources, &targets);
         check_lipschitz(&wavefront, &surface, &sources);
@@ -100,7 +99,7 @@ fn try_shape(soup: &Soup, rounds: usize, seed: u64) {
             }
         }
         for _ in 0..20 {
-            let point = random(&mut seed, surface.vertex_count()) as u32;
+            let point = random.below(surface.vertex_count()) as u32;
             let value = wavefront.values()[VertexId(point)];
             match wavefront.path_from_vertex(VertexId(point)) {
                 Ok(path) => check_path(&surface, &path, Place::Vertex(VertexId(point)), value, &sources),
@@ -116,10 +115,10 @@ fn try_shape(soup: &Soup, rounds: usize, seed: u64) {
 #[test]
 fn plane_is_straight() {
     let surface = Arc::new(surface(&square(12)));
-    let mut seed = 5;
+    let mut random = Random::new(5);
     for _ in 0..10 {
-        let source = random_location(&surface, &mut seed);
-        let targets: Vec<_> = (0..40).map(|_| random_location(&surface, &mut seed)).collect();
+        let source = random_location(&surface, &mut random);
+        let targets: Vec<_> = (0..40).map(|_| random_location(&surface, &mut random)).collect();
         let wavefront = finished(&surface, &[(source, 0.0)], &targets);
         let at_vertices = wavefront.values().iter().copied().zip(surface.positions().iter().copied());
         let places = targets.iter().map(|target| target.position(&surface));
@@ -194,11 +193,11 @@ fn shapes_that_are_no_manifold() {
 
 #[test]
 fn badly_shaped_faces() {
-    let mut seed = 12;
+    let mut random = Random::new(12);
     let mut crumpled = square(10);
     for position in &mut crumpled.positions {
         position.x *= 1e-4;
-        position.z = 1e-3 * random(&mut seed, 1000) as f64 / 1000.0;
+        position.z = 1e-3 * random.share();
     }
     try_shape(&crumpled, 4, 9);
     // Edges a billion times shorter than others, and angles as near to 0 and π.
@@ -214,11 +213,7 @@ fn badly_shaped_faces() {
 
 #[test]
 fn pieces_without_a_source_are_infinite() {
-    let mut two = square(3);
-    let first = two.positions.len() as u32;
-    let other = square(3);
-    two.positions.extend(other.positions.iter().map(|&position| position + DVec3::Z));
-    two.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first)));
+    let (two, first) = two_squares(3);
     let surface = Arc::new(surface(&two));
     let wavefront = finished(&surface, &[(Place::Vertex(VertexId(0)), 0.0)], &[Place::Vertex(VertexId(first))]);
     for (value, position) in wavefront.values().iter().zip(surface.positions()) {
@@ -231,8 +226,8 @@ fn pieces_without_a_source_are_infinite() {
 #[test]
 fn several_sources_are_the_least_of_each() {
     let surface = Arc::new(surface(&shapes::icosphere(3)));
-    let mut seed = 21;
-    let sources: Vec<_> = (0..5).map(|i| (random_location(&surface, &mut seed), 0.1 * f64::from(i))).collect();
+    let mut random = Random::new(21);
+    let sources: Vec<_> = (0..5).map(|i| (random_location(&surface, &mut random), 0.1 * f64::from(i))).collect();
     let together = finished(&surface, &sources, &[]);
     check_lipschitz(&together, &surface, &sources);
     let each: Vec<_> = sources.iter().map(|&source| finished(&surface, &[source], &[])).collect();
@@ -266,7 +261,6 @@ fn stopping_changes_nothing() {
 #[test]
 fn bad_requests_are_refused() {
     let surface = Arc::new(surface(&square(2)));
-    let mut go_on = |_| ControlFlow::Continue(());
     assert_eq!(exact_distance::<Place>(&surface, &[], &mut go_on), Err(Error::NoSource));
     let offset = exact_distance(&surface, &[(Place::Vertex(VertexId(0)), -1.0)], &mut go_on);
     assert!(matches!(offset, Err(Error::Surface(SurfaceError::BadParameter { .. }))));
@@ -288,9 +282,9 @@ fn check_known(Known { name, soup, fields }: &Known) {
             let value = wavefront.values()[vertex];
             assert!((value - exact).abs() <= EXACT * exact, "{name}, vertex {vertex}: {value} for {exact}");
         }
-        let mut seed = 31;
+        let mut random = Random::new(31);
         for _ in 0..200 {
-            let vertex = VertexId::from_index(random(&mut seed, surface.vertex_count()));
+            let vertex = VertexId::from_index(random.below(surface.vertex_count()));
             let path = wavefront.path_from_vertex(vertex).expect("a connected mesh");
             let value = wavefront.values()[vertex];
             check_path(&surface, &path, Place::Vertex(vertex), value, &sources);
@@ -306,12 +300,12 @@ fn another_program_agrees_on_small_meshes() {
 /// On meshes with cuts, edges of three faces, slivers and loose pieces.
 fn check_messy(soup: &Soup) {
     let surface = Arc::new(surface(soup));
-    let mut seed = 41;
-    let sources = [(Place::Vertex(VertexId::from_index(random(&mut seed, surface.vertex_count()))), 0.0)];
+    let mut random = Random::new(41);
+    let sources = [(Place::Vertex(VertexId::from_index(random.below(surface.vertex_count()))), 0.0)];
     let wavefront = finished(&surface, &sources, &[]);
     check_lipschitz(&wavefront, &surface, &sources);
     for _ in 0..100 {
-        let vertex = VertexId::from_index(random(&mut seed, surface.vertex_count()));
+        let vertex = VertexId::from_index(random.below(surface.vertex_count()));
         let value = wavefront.values()[vertex];
         if value.is_finite() {
             let path = wavefront.path_from_vertex(vertex).expect("a path");
@@ -322,8 +316,8 @@ fn check_messy(soup: &Soup) {
 
 #[test]
 fn messy_shapes() {
-    let mut seed = 5;
-    for soup in [any_triangles(60, &mut seed), band(40, 1), shapes::skull(0.08), shapes::maze(4, 2)] {
+    let mut random = Random::new(5);
+    for soup in [any_triangles(60, &mut random), band(40, 1), shapes::skull(0.08), shapes::maze(4, 2)] {
         check_messy(&soup);
     }
 }
@@ -372,12 +366,12 @@ fn distances_on_a_book_of_many_pages_are_those_of_two_of_them_laid_flat() {
         let is_same = (page - other).abs() < 1e-6;
         if is_same { (from - to).hypot(low - high) } else { (from + to).hypot(low - high) }
     };
-    let mut seed = 29;
+    let mut random = Random::new(29);
     let outer: Vec<VertexId> = surface.vertices().filter(|&vertex| place(vertex).0 > 0.3).collect();
     for nearer_by in [0.0, 1e-3, -1e-3, 0.02] {
         // From the first page to the last, each source is nearer to the spine by as much.
         let mut started: Vec<(VertexId, f64)> =
-            (0..2 * pages as usize).map(|_| (outer[random(&mut seed, outer.len())], 0.0)).collect();
+            (0..2 * pages as usize).map(|_| (outer[random.below(outer.len())], 0.0)).collect();
         started.sort_by(|a, b| place(a.0).2.total_cmp(&place(b.0).2));
         for (number, (_, start)) in started.iter_mut().enumerate() {
             *start = 5.0 - nearer_by * number as f64;

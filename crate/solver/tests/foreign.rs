@@ -2,14 +2,14 @@
 
 use crate::common;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance, shortest_path};
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Error, HeatSolver, Parameters, Path, Place, Surface, SurfacePoint, VertexId, descend, straighten, straightest,
+    Error, HeatSolver, Parameters, Path, Place, Surface, SurfacePoint, VertexId, descend, go_on, straighten,
+    straightest,
 };
 use heatwalk_scene::Crowd;
 use heatwalk_shapes as shapes;
@@ -19,7 +19,7 @@ fn sphere() -> Arc<Surface> {
 }
 
 fn solver(surface: &Arc<Surface>) -> HeatSolver {
-    HeatSolver::new(Arc::clone(surface), Parameters::default(), &mut |_, _| ControlFlow::Continue(())).unwrap()
+    HeatSolver::new(Arc::clone(surface), Parameters::default(), &mut go_on).unwrap()
 }
 
 /// The thing that is refused for belonging elsewhere.
@@ -58,13 +58,12 @@ fn points_and_sources() {
     assert_eq!(other.point(point), Ok(point));
     let source = other.source(point, 0.5).unwrap();
     let solver = solver(&own);
-    let go_on = &mut |_| ControlFlow::Continue(());
     assert_eq!(refused(solver.distance(&[source])), Some("source"));
     assert_eq!(refused(solver.distance(&[point])), Some("point"));
     assert_eq!(refused(solver.distance(&[(point, 1.0)])), Some("point"));
     assert_eq!(refused(solver.refine(&[source])), Some("source"));
     assert_eq!(refused(solver.wavefront(&[source])), Some("source"));
-    assert_eq!(refused(exact_distance(&own, &[source], go_on)), Some("source"));
+    assert_eq!(refused(exact_distance(&own, &[source], &mut go_on)), Some("source"));
     assert_eq!(refused(straightest(&own, point, None, DVec3::X, 1.0)), Some("point"));
 }
 

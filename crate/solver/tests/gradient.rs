@@ -3,14 +3,14 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::common::{distance_from, random, square, surface};
+use crate::common::truth::Random;
+use crate::common::{distance_from, square, surface};
 use glam::DVec3;
 use heatwalk::gradient::{face_directions, face_gradients, vertex_directions, vertex_tangents};
 use heatwalk::propagation::propagated_distance;
-use heatwalk::{PropagationOptions, Surface, VertexData, VertexId};
+use heatwalk::{PropagationOptions, Surface, VertexData, VertexId, go_on};
 use heatwalk_shapes::icosphere;
 
 const SLOPE: DVec3 = DVec3::new(2.0, -3.0, 0.0);
@@ -99,7 +99,7 @@ fn a_distance_grows_away_from_its_source_and_heat_towards_it() {
 fn mean_angles(surface: &Arc<Surface>, windows: &str, expected: impl Fn(DVec3, DVec3) -> DVec3) -> [f64; 2] {
     let options = PropagationOptions { windows: windows.parse().expect("a number"), ..PropagationOptions::default() };
     let source = VertexId((surface.vertex_count() / 2 + 17) as u32);
-    let distance = propagated_distance(surface, &[source], options, &mut |_| ControlFlow::Continue(()));
+    let distance = propagated_distance(surface, &[source], options, &mut go_on);
     let distance = distance.expect("a valid source");
     let from = surface.position(source);
     let mean = |angles: Vec<f64>| angles.iter().sum::<f64>() / angles.len() as f64;
@@ -124,10 +124,10 @@ fn mean_angles(surface: &Arc<Surface>, windows: &str, expected: impl Fn(DVec3, D
 #[test]
 fn directions_are_those_of_shortest_paths() {
     let mut plane = square(40);
-    let mut seed = 1;
+    let mut random = Random::new(1);
     for position in &mut plane.positions {
         if position.x > 0.0 && position.x < 1.0 && position.y > 0.0 && position.y < 1.0 {
-            let mut shift = || 0.008 * (random(&mut seed, 1000) as f64 / 1000.0 - 0.5);
+            let mut shift = || 0.008 * (random.share() - 0.5);
             *position += DVec3::new(shift(), shift(), 0.0);
         }
     }

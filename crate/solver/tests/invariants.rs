@@ -7,13 +7,14 @@ use crate::common;
 
 use std::ops::ControlFlow;
 
-use crate::common::{band, distance_from, random, solver, soup, square, surface};
+use crate::common::truth::Random;
+use crate::common::{band, distance_from, solver, soup, square, surface};
 use glam::{DQuat, DVec3};
 use heatwalk::operator::Operators;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
     Appearance, Boundary, Distance, Element, Error, FaceId, HeatSolver, Operator, Parameters, Place, Soup, Stage,
-    VertexData, VertexId,
+    VertexData, VertexId, go_on,
 };
 use heatwalk_scene::{DrawTransform, draw_mesh};
 use heatwalk_shapes as shapes;
@@ -40,8 +41,8 @@ fn laplacian_rows_sum_to_zero() {
         let laplacian = Operators::new(&surface, Operator::default()).laplacian().clone();
         let mut sums = vec![0.0; laplacian.size()];
         let mut energy = 0.0;
-        let mut seed = 1;
-        let probe: Vec<f64> = (0..laplacian.size()).map(|_| random(&mut seed, 1000) as f64 / 1000.0).collect();
+        let mut random = Random::new(1);
+        let probe: Vec<f64> = (0..laplacian.size()).map(|_| random.share()).collect();
         for column in 0..laplacian.size() {
             for entry in laplacian.column(column) {
                 let (row, weight) = (laplacian.rows()[entry] as usize, laplacian.stiffness[entry]);
@@ -84,10 +85,10 @@ fn motion_and_scale_do_not_matter() {
 fn numbering_does_not_matter() {
     for original in samples() {
         let n = original.positions.len();
-        let mut seed = 7;
+        let mut random = Random::new(7);
         let mut new_of_old: Vec<usize> = (0..n).collect();
         for i in (1..n).rev() {
-            new_of_old.swap(i, random(&mut seed, i + 1));
+            new_of_old.swap(i, random.below(i + 1));
         }
         let mut positions = vec![DVec3::ZERO; n];
         for old in 0..n {
@@ -107,13 +108,13 @@ fn numbering_does_not_matter() {
 #[test]
 fn distances_are_never_negative() {
     let soup = square(16);
-    let mut seed = 3;
+    let mut random = Random::new(3);
     for boundary in [Boundary::Neumann, Boundary::Dirichlet, Boundary::Average] {
         for time_factor in [0.01, 1.0, 100.0] {
             let solver = solver(&soup, time_factor, boundary);
             for count in 1..4 {
                 let sources: Vec<Place> = (0..count)
-                    .map(|_| Place::Vertex(VertexId::from_index(random(&mut seed, solver.surface().vertex_count()))))
+                    .map(|_| Place::Vertex(VertexId::from_index(random.below(solver.surface().vertex_count()))))
                     .collect();
                 let distance = solver.distance(&sources).expect("sources");
                 assert!(distance.values.iter().all(|value| *value >= 0.0 && value.is_finite()), "{sources:?}");
@@ -238,9 +239,8 @@ fn parameters_change_as_if_made_anew() {
     let soup = square(12);
     let source = [Place::Vertex(VertexId(40))];
     let mut solver = solver(&soup, 1.0, Boundary::Neumann);
-    let mut quiet = |_, _| ControlFlow::Continue(());
     for (time_factor, boundary) in [(1.0, Boundary::Average), (30.0, Boundary::Average), (0.1, Boundary::Dirichlet)] {
-        solver.set_parameters(common::heat_only(time_factor, boundary), &mut quiet).expect("factors");
+        solver.set_parameters(common::heat_only(time_factor, boundary), &mut go_on).expect("factors");
         let anew = common::solver(&soup, time_factor, boundary);
         assert_eq!(solver.distance(&source).map(|d| fields(&d)), anew.distance(&source).map(|d| fields(&d)));
         assert_eq!(solver.factor_nonzeros(), anew.factor_nonzeros());
@@ -256,7 +256,7 @@ fn parameters_change_as_if_made_anew() {
     assert_eq!(solver.distance(&source), before, "a cancelled change leaves the solver as it was");
     for time_factor in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let bad = common::heat_only(time_factor, Boundary::Neumann);
-        assert!(matches!(solver.set_parameters(bad, &mut quiet), Err(Error::BadParameter { .. })));
+        assert!(matches!(solver.set_parameters(bad, &mut go_on), Err(Error::BadParameter { .. })));
     }
 }
 

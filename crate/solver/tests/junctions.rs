@@ -3,14 +3,13 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::soup;
 use glam::{DVec3, dvec3};
 use heatwalk::{
     BridgeRule, Bridges, Distance, DistanceOptions, DistanceSolver, Method, Path, Soup, Surface, VertexId, descend,
-    straighten,
+    go_on, straighten,
 };
 
 /// What portals may make distances longer, in per cent: all that crosses passes through one of a row of points.
@@ -48,9 +47,8 @@ fn surface_of(soup: &Soup) -> Arc<Surface> {
 }
 
 fn distance(surface: &Arc<Surface>, bridges: Bridges, source: VertexId, method: Method) -> Distance {
-    let go_on = &mut |_| ControlFlow::Continue(());
     let mut solver = DistanceSolver::new(Arc::clone(surface)).bridged(bridges);
-    solver.distance(&[source], &DistanceOptions::by(method), go_on).expect("a distance").distance
+    solver.distance(&[source], &DistanceOptions::by(method), &mut go_on).expect("a distance").distance
 }
 
 /// The vertex nearest to a place.

@@ -6,10 +6,11 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use std::sync::Arc;
 
 use crate::common::media::{jittered_square, least_cost, two_media};
-use crate::common::searches::{at, exact, geometry, mixed_sources};
-use crate::common::{any_triangles, band, book, nearest, square, surface};
+use crate::common::searches::{self, at, exact, geometry, mixed_sources};
+use crate::common::truth::Random;
+use crate::common::{nearest, square, surface};
 use glam::DVec3;
-use heatwalk::exact::{ExactGeometry, Wavefront};
+use heatwalk::exact::ExactGeometry;
 use heatwalk::{
     Carriers, Costs, ExactSearch, Place, Propagation, PropagationOptions, RelativeError, Surface, VertexId,
 };
@@ -24,9 +25,7 @@ fn start(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], exact: ExactSe
 }
 
 fn marched(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], exact: ExactSearch) -> Propagation {
-    let mut march = start(geometry, sources, exact);
-    assert!(march.advance(f64::INFINITY, usize::MAX).expect("room"));
-    march
+    searches::grown(start(geometry, sources, exact))
 }
 
 /// Whether no vertex has more than a neighbour's distance and the edge to it.
@@ -41,20 +40,11 @@ fn is_within_edges(surface: &Surface, march: &Propagation) -> bool {
 
 #[test]
 fn all_that_can_be_reached_is_and_no_later_than_along_edges() {
-    let mut seed = 3;
-    let shapes = [
-        shapes::icosphere(4),
-        shapes::torus(2.0, 0.7, 60, 30),
-        shapes::high_genus(0.12),
-        shapes::maze(6, 2),
-        band(60, 1),
-        book(3, 14),
-        any_triangles(80, &mut seed),
-    ];
-    for soup in shapes {
+    let mut random = Random::new(3);
+    for soup in searches::shapes_of_all_kinds() {
         let surface = Arc::new(surface(&soup));
         let geometry = geometry(&surface);
-        let sources = mixed_sources(&surface, &mut seed);
+        let sources = mixed_sources(&surface, &mut random);
         let exact = exact(&geometry, &sources);
         for search in [ExactSearch::Automatic, ExactSearch::AtMost(0)] {
             let march = marched(&geometry, &sources, search);
@@ -111,50 +101,18 @@ fn on_a_plane_it_is_straight() {
 
 #[test]
 fn slices_and_a_used_solver_change_nothing() {
-    let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 90, 40)));
-    let geometry = geometry(&surface);
-    let whole = marched(&geometry, &at(3), ExactSearch::Automatic);
-    let mut sliced = start(&geometry, &at(3), ExactSearch::Automatic);
-    while !sliced.advance(f64::INFINITY, 100).expect("room") {}
-    assert_eq!(sliced.values(), whole.values());
-
-    let mut used = marched(&geometry, &mixed_sources(&surface, &mut 8), ExactSearch::Automatic);
-    used.restart(&at(3)).expect("a valid source");
-    used.advance(f64::INFINITY, usize::MAX).expect("room");
-    assert_eq!(used.values(), whole.values());
-    assert_eq!(used.nearest_sources(), whole.nearest_sources());
+    searches::slices_and_use_change_nothing(|geometry, sources| start(geometry, sources, ExactSearch::Automatic));
 }
 
 #[test]
 fn the_nearest_source_is_told() {
-    let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 90, 40)));
-    let geometry = geometry(&surface);
-    let sources = mixed_sources(&surface, &mut 5);
-    let together = marched(&geometry, &sources, ExactSearch::AtMost(1000));
-    let alone: Vec<Wavefront> = sources.iter().map(|&source| exact(&geometry, &[source])).collect();
-    let nearest = together.nearest_sources();
-    for vertex in surface.vertices() {
-        let number = nearest[vertex].expect("a closed surface");
-        let (value, least) = (together.values()[vertex], alone[number].values()[vertex]);
-        assert!((value - least).abs() <= 0.03 * least, "{value} from source {number}, {least}");
-    }
-    assert!((0..3).all(|number| nearest.iter().any(|&nearest| nearest == Some(number))));
+    let start = |geometry: &_, sources: &_| start(geometry, sources, ExactSearch::AtMost(1000));
+    searches::nearest_sources_are_told(start, |value, least| (value - least).abs() <= 0.03 * least);
 }
 
 #[test]
 fn the_size_of_a_mesh_does_not_matter() {
-    let soup = shapes::torus(2.0, 0.7, 40, 20);
-    let values = |scale: f64| {
-        let mut scaled = soup.clone();
-        scaled.positions.iter_mut().for_each(|position| *position *= scale);
-        let surface = Arc::new(surface(&scaled));
-        let march = marched(&geometry(&surface), &at(0), ExactSearch::AtMost(0));
-        march.values().iter().map(|value| value / scale).collect::<Vec<_>>()
-    };
-    // Powers of two, so that rounding is the same.
-    for exponent in [-60, 60] {
-        assert_eq!(values(2.0_f64.powi(exponent)), values(1.0));
-    }
+    searches::size_does_not_matter(|geometry, sources| start(geometry, sources, ExactSearch::AtMost(0)));
 }
 
 #[test]

@@ -3,12 +3,12 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::solver_with;
 use heatwalk::{
     Boundary, Error, HeatSolver, LinearSolver, MemoryLimit, Parameters, Place, Result, Surface, TimeStep, VertexId,
+    go_on,
 };
 use heatwalk_shapes as shapes;
 
@@ -23,7 +23,7 @@ fn limited(bytes: u64) -> Parameters {
 }
 
 fn factor(surface: &Arc<Surface>, parameters: Parameters) -> Result<HeatSolver> {
-    HeatSolver::new(Arc::clone(surface), parameters, &mut |_, _| ControlFlow::Continue(()))
+    HeatSolver::new(Arc::clone(surface), parameters, &mut go_on)
 }
 
 fn needed(surface: &Arc<Surface>, parameters: Parameters) -> u64 {
@@ -71,7 +71,7 @@ fn factors_that_are_kept_count() {
     let surface = disc();
     let mut solver = factor(&surface, limited(needed(&surface, limited(1)))).expect("as much as is needed");
     let change = Parameters { boundary: Boundary::Average, ..solver.parameters() };
-    let refused = solver.set_parameters(change, &mut |_, _| ControlFlow::Continue(()));
+    let refused = solver.set_parameters(change, &mut go_on);
     assert!(matches!(refused, Err(Error::TooLarge { .. })), "{refused:?}");
 }
 
@@ -82,7 +82,7 @@ fn spare_factors_go_where_memory_is_short() {
     let mut solver = factor(&surface, limited(three)).expect("a third of it to spare");
     for time in [4.0, 8.0, 16.0] {
         let change = Parameters { time_step: TimeStep::Factor(time), ..solver.parameters() };
-        solver.set_parameters(change, &mut |_, _| ControlFlow::Continue(())).expect("room beside the factors in use");
+        solver.set_parameters(change, &mut go_on).expect("room beside the factors in use");
     }
 }
 
@@ -91,7 +91,7 @@ fn a_solver_that_is_refused_new_factors_answers_with_the_old_ones() {
     let mut solver = solver_with(&shapes::terrain(48), Parameters::default());
     let before = solver.distance(&[Place::Vertex(VertexId(0))]).expect("a source");
     let change = Parameters { time_step: TimeStep::Factor(4.0), ..limited(1) };
-    let refused = solver.set_parameters(change, &mut |_, _| ControlFlow::Continue(()));
+    let refused = solver.set_parameters(change, &mut go_on);
     assert!(matches!(refused, Err(Error::TooLarge { .. })), "{refused:?}");
     assert_eq!(solver.parameters(), Parameters::default());
     let after = solver.distance(&[Place::Vertex(VertexId(0))]).expect("a source");

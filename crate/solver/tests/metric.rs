@@ -7,7 +7,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use std::num::NonZeroU16;
 use std::sync::Arc;
 
-use crate::common::{Damage, band, book, damaged, random, square, surface};
+use crate::common::truth::Random;
+use crate::common::{Damage, band, book, damaged, square, surface};
 use heatwalk::exact::ExactGeometry;
 use heatwalk::{Element, ExactSearch, Place, Propagation, PropagationOptions, Soup, Surface, VertexId, Windows};
 use heatwalk_shapes as shapes;
@@ -57,9 +58,9 @@ struct Deviation {
 impl Deviation {
     fn of(windows: Windows) -> Self {
         let (mut differences, mut excess) = (Vec::new(), 0.0_f64);
-        let mut seed = 77;
+        let mut random = Random::new(77);
         for surface in surfaces() {
-            let place = |_| VertexId::from_index(random(&mut seed, surface.vertex_count()));
+            let place = |_| VertexId::from_index(random.below(surface.vertex_count()));
             let places: Vec<VertexId> = (0..PLACES).map(place).collect();
             let distance = distances(&Arc::new(ExactGeometry::new(surface)), &places, windows);
             for (a, b) in (0..PLACES).flat_map(|a| (0..PLACES).map(move |b| (a, b))) {

@@ -5,7 +5,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::sync::Arc;
 
-use crate::common::{band, book, distance_from, nearest, random, solver, soup, square, surface};
+use crate::common::truth::Random;
+use crate::common::{band, book, distance_from, nearest, solver, soup, square, surface, two_squares};
 use glam::DVec3;
 use heatwalk::exact::{ExactGeometry, shortest_path};
 use heatwalk::{
@@ -35,14 +36,14 @@ fn check(solver: &HeatSolver, path: &Path, from: Place, sources: &[Place]) {
 fn try_pairs(soup: &Soup, boundary: Boundary, pairs: usize, exact: impl Fn(DVec3, DVec3) -> f64, longest: f64) {
     let solver = solver(soup, 1.0, boundary);
     let surface = solver.surface();
-    let mut seed = 11;
+    let mut random = Random::new(11);
     for _ in 0..pairs {
-        let [source, from] = [(); 2].map(|()| match random(&mut seed, 2) {
-            0 => Place::Vertex(VertexId::from_index(random(&mut seed, surface.vertex_count()))),
+        let [source, from] = [(); 2].map(|()| match random.below(2) {
+            0 => Place::Vertex(VertexId::from_index(random.below(surface.vertex_count()))),
             _ => {
-                let a = random(&mut seed, 1000) as f64 / 1000.0;
-                let b = (1.0 - a) * random(&mut seed, 1000) as f64 / 1000.0;
-                let face = FaceId(random(&mut seed, surface.face_count()) as u32);
+                let a = random.share();
+                let b = (1.0 - a) * random.share();
+                let face = FaceId(random.below(surface.face_count()) as u32);
                 Place::Face { face, weights: [a, b, 1.0 - a - b] }
             }
         });
@@ -154,11 +155,7 @@ fn start_at_the_source_is_a_point() {
 
 #[test]
 fn rejects_a_start_that_no_source_reaches() {
-    let mut two = square(2);
-    let first = two.positions.len() as u32;
-    let other = square(2);
-    two.positions.extend(other.positions.iter().map(|&position| position + DVec3::Z));
-    two.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first)));
+    let (two, first) = two_squares(2);
     let (solver, distance) = distance_from(&two, 0);
     let path = descend(solver.surface(), &distance, Place::Vertex(VertexId(first)));
     assert_eq!(path, Err(Error::Unreachable));

@@ -4,13 +4,15 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::common::{flat, grid_triangles, random, soup, surface};
+use crate::common::truth::Random;
+use crate::common::{flat, grid_triangles, soup, surface};
 use glam::{DVec2, DVec3};
 use heatwalk::exact::{ExactGeometry, shortest_path};
-use heatwalk::{Distance, DistanceOptions, DistanceSolver, FaceId, Method, Place, Soup, Surface, ToSource, VertexId};
+use heatwalk::{
+    Distance, DistanceOptions, DistanceSolver, FaceId, Method, Place, Soup, Surface, ToSource, VertexId, go_on,
+};
 use heatwalk_shapes::icosphere;
 
 /// Rounding of a few triangles, as a share of the distance.
@@ -19,7 +21,7 @@ const ROUNDING: f64 = 1e-14;
 fn distance_by<S: ToSource>(method: Method, surface: &Arc<Surface>, sources: &[S]) -> Distance {
     let mut solver = DistanceSolver::new(Arc::clone(surface));
     let options = DistanceOptions::by(method);
-    solver.distance(sources, &options, &mut |_| ControlFlow::Continue(())).expect("valid sources").distance
+    solver.distance(sources, &options, &mut go_on).expect("valid sources").distance
 }
 
 /// Exactly, by default, and by propagation, which is exact on meshes as small as these.
@@ -183,8 +185,8 @@ fn the_end_of_a_sphere_is_half_a_great_circle_away() {
 #[test]
 fn heat_from_an_irregular_rim_is_hardly_shorter_than_straight() {
     let (rings, spokes) = (24, 96_u32);
-    let mut seed = 5;
-    let mut share = || random(&mut seed, 1 << 20) as f64 / f64::from(1 << 20);
+    let mut random = Random::new(5);
+    let mut share = || random.share();
     let mut angles: Vec<f64> = Vec::new();
     let mut angle = 0.0;
     for _ in 0..spokes {

@@ -10,15 +10,16 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::exact_distances::{self, Field};
-use crate::common::searches::{at, exact, geometry, mixed_sources};
-use crate::common::{any_triangles, band, book, random, soup, square, surface};
+use crate::common::searches::{self, at, exact, geometry, mixed_sources};
+use crate::common::truth::Random;
+use crate::common::{soup, square, surface};
 use glam::DVec3;
-use heatwalk::exact::{ExactGeometry, Wavefront};
+use heatwalk::exact::ExactGeometry;
 use heatwalk::propagation::{Propagation, propagated_distance};
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Element, Error, ExactSearch, FaceId, InputVertex, Place, PropagationOptions, RelativeError, Soup, VertexId,
-    Windows, descend, straighten,
+    Element, Error, ExactSearch, FaceId, InputVertex, Place, PropagationOptions, RelativeError, VertexId, Windows,
+    descend, go_on, straighten,
 };
 use heatwalk_shapes as shapes;
 
@@ -37,37 +38,16 @@ fn start(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], windows: u16) 
 }
 
 fn propagated(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], windows: u16) -> Propagation {
-    let mut propagation = start(geometry, sources, windows);
-    assert!(propagation.advance(f64::INFINITY, usize::MAX).expect("room for windows"));
-    propagation
-}
-
-fn shapes_of_all_kinds() -> Vec<Soup> {
-    let mut seed = 17;
-    let mut crumpled = square(14);
-    for position in &mut crumpled.positions {
-        position.x *= 1e-3;
-        position.z = 1e-3 * random(&mut seed, 1000) as f64 / 1000.0;
-    }
-    vec![
-        shapes::icosphere(4),
-        shapes::torus(2.0, 0.7, 60, 30),
-        shapes::high_genus(0.12),
-        shapes::maze(6, 2),
-        band(60, 1),
-        book(3, 14),
-        any_triangles(80, &mut seed),
-        crumpled,
-    ]
+    searches::grown(start(geometry, sources, windows))
 }
 
 #[test]
 fn no_value_is_below_the_exact_one_and_all_that_is_reached_has_one() {
-    let mut seed = 3;
-    for soup in shapes_of_all_kinds() {
+    let mut random = Random::new(3);
+    for soup in searches::shapes_of_all_kinds() {
         let surface = Arc::new(surface(&soup));
         let geometry = geometry(&surface);
-        let sources = mixed_sources(&surface, &mut seed);
+        let sources = mixed_sources(&surface, &mut random);
         let exact = exact(&geometry, &sources);
         for windows in COUNTS {
             let propagation = propagated(&geometry, &sources, windows);
@@ -134,19 +114,7 @@ fn on_a_plane_it_is_straight() {
 
 #[test]
 fn slices_and_a_used_solver_change_nothing() {
-    let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 90, 40)));
-    let geometry = geometry(&surface);
-    let mut sliced = start(&geometry, &at(3), 2);
-    while !sliced.advance(f64::INFINITY, 100).expect("room for windows") {}
-    let whole = propagated(&geometry, &at(3), 2);
-    assert_eq!(sliced.values(), whole.values());
-    assert_eq!(sliced.windows(), whole.windows());
-
-    let mut used = propagated(&geometry, &mixed_sources(&surface, &mut 8), 2);
-    used.restart(&at(3)).expect("a valid source");
-    used.advance(f64::INFINITY, usize::MAX).expect("room for windows");
-    assert_eq!(used.values(), whole.values());
-    assert_eq!(used.nearest_sources(), whole.nearest_sources());
+    searches::slices_and_use_change_nothing(|geometry, sources| start(geometry, sources, 2));
 }
 
 #[test]
@@ -164,50 +132,27 @@ fn values_below_a_radius_are_final_when_it_is_reached() {
 
 #[test]
 fn the_nearest_source_is_told() {
-    let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 90, 40)));
-    let geometry = geometry(&surface);
-    let sources = mixed_sources(&surface, &mut 5);
-    let together = propagated(&geometry, &sources, 4);
-    let alone: Vec<Wavefront> = sources.iter().map(|&source| exact(&geometry, &[source])).collect();
-    let nearest = together.nearest_sources();
-    for vertex in surface.vertices() {
-        let number = nearest[vertex].expect("a closed surface");
-        let (value, least) = (together.values()[vertex], alone[number].values()[vertex]);
-        assert!(
-            value >= least * (1.0 - ROUNDING) && value <= 1.01 * least + ROUNDING,
-            "{value} from source {number}, {least}"
-        );
-    }
-    assert!((0..3).all(|number| nearest.iter().any(|&nearest| nearest == Some(number))));
+    let is_near = |value, least| value >= least * (1.0 - ROUNDING) && value <= 1.01 * least + ROUNDING;
+    searches::nearest_sources_are_told(|geometry, sources| start(geometry, sources, 4), is_near);
     let two = soup(
         vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z, DVec3::Z + DVec3::X, DVec3::Z + DVec3::Y],
         vec![[0, 1, 2], [3, 4, 5]],
     );
-    let surface = Arc::new(common::surface(&two));
-    let one_side = propagated(&common::searches::geometry(&surface), &at(0), 1);
+    let surface = Arc::new(surface(&two));
+    let one_side = propagated(&geometry(&surface), &at(0), 1);
     assert_eq!(one_side.nearest_sources().as_slice(), [Some(0), Some(0), Some(0), None, None, None]);
 }
 
 #[test]
 fn the_size_of_a_mesh_does_not_matter() {
-    let soup = shapes::torus(2.0, 0.7, 40, 20);
-    let values = |scale: f64| {
-        let mut scaled = soup.clone();
-        scaled.positions.iter_mut().for_each(|position| *position *= scale);
-        let surface = Arc::new(surface(&scaled));
-        propagated(&geometry(&surface), &at(0), 2).values().iter().map(|value| value / scale).collect::<Vec<_>>()
-    };
-    // Powers of two, so that rounding is the same.
-    for exponent in [-60, 60] {
-        assert_eq!(values(2.0_f64.powi(exponent)), values(1.0));
-    }
+    searches::size_does_not_matter(|geometry, sources| start(geometry, sources, 2));
 }
 
 #[test]
 fn all_windows_are_exact_and_factors_are_for_nothing() {
     let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 60, 30)));
     let geometry = geometry(&surface);
-    let sources = mixed_sources(&surface, &mut 11);
+    let sources = mixed_sources(&surface, &mut Random::new(11));
     let exact = exact(&geometry, &sources);
     for options in [
         PropagationOptions { windows: Windows::All, ..PropagationOptions::default() },
@@ -230,7 +175,6 @@ fn all_windows_are_exact_and_factors_are_for_nothing() {
 #[test]
 fn paths_descend_it() {
     let surface = Arc::new(surface(&shapes::icosphere(4)));
-    let mut go_on = |_| ControlFlow::Continue(());
     let sources = [Place::Vertex(VertexId(0)), Place::Vertex(VertexId(9))];
     let distance = propagated_distance(&surface, &sources, options(1), &mut go_on).expect("distances");
     assert_eq!(distance.sources, sources);
@@ -239,7 +183,7 @@ fn paths_descend_it() {
         let value = distance.values[vertex];
         assert!((path.length() - value).abs() <= 5e-3 * value, "{} for {value}", path.length());
     }
-    let mut stop = |_| ControlFlow::Break(());
+    let mut stop = |_, _| ControlFlow::Break(());
     let large = Arc::new(common::surface(&shapes::icosphere(6)));
     assert_eq!(propagated_distance(&large, &sources, options(1), &mut stop), Err(Error::Cancelled));
 }

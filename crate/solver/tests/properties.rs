@@ -4,7 +4,6 @@
 
 use crate::common;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::shortness::{check_valid, largest_kink, sharpest_turn};
@@ -15,7 +14,7 @@ use heatwalk::operator::Operators;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
     Boundary, Error, ExactRadius, FaceId, HeatSolver, MultiSource, Operator, Parameters, Place, Soup, Source, Surface,
-    TimeStep, VertexId, descend, straighten,
+    TimeStep, VertexId, descend, go_on, straighten,
 };
 use heatwalk_scene::{Crowd, DrawTransform};
 use heatwalk_shapes as shapes;
@@ -112,7 +111,7 @@ fn any_parameters() -> impl Strategy<Value = Parameters> {
 }
 
 fn solver(surface: &Arc<Surface>, parameters: Parameters) -> HeatSolver {
-    HeatSolver::new(Arc::clone(surface), parameters, &mut |_, _| ControlFlow::Continue(())).expect("factors")
+    HeatSolver::new(Arc::clone(surface), parameters, &mut go_on).expect("factors")
 }
 
 /// The same random cases at every run.
@@ -138,7 +137,7 @@ fn distances_are_distances() {
     check(200, &(any_soup(), any_places(), any_parameters()), |(soup, places, parameters)| {
         let surface = surface_of(&soup)?;
         let sources = sources(&surface, &places);
-        let solver = match HeatSolver::new(Arc::clone(&surface), parameters, &mut |_, _| ControlFlow::Continue(())) {
+        let solver = match HeatSolver::new(Arc::clone(&surface), parameters, &mut go_on) {
             Ok(solver) => solver,
             // Weights of both signs and of any size, as plain slivers have them, may defeat rounding; it is said.
             Err(Error::NotPositiveDefinite { .. }) if parameters.operator != Operator::Delaunay => return Ok(()),
@@ -198,7 +197,7 @@ fn exact_distances_change_by_no_more_than_the_path_between() {
         let surface = surface_of(&soup)?;
         let sources: Vec<(Place, f64)> =
             sources(&surface, &places).iter().map(|source| (source.place(), source.initial_distance())).collect();
-        let exact = exact_distance(&surface, &sources, &mut |_| ControlFlow::Continue(())).expect("valid sources");
+        let exact = exact_distance(&surface, &sources, &mut go_on).expect("valid sources");
         let largest = exact.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
         for face in surface.mesh().faces() {
             let [p, q, r] = surface.corners(face);
@@ -226,7 +225,7 @@ fn the_exact_region_is_exact_and_refining_ends_at_exact() {
         let sources = sources(&surface, &places);
         let pairs: Vec<(Place, f64)> =
             sources.iter().map(|source| (source.place(), source.initial_distance())).collect();
-        let exact = exact_distance(&surface, &pairs, &mut |_| ControlFlow::Continue(())).expect("valid sources");
+        let exact = exact_distance(&surface, &pairs, &mut go_on).expect("valid sources");
         let largest = exact.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max);
         let same = |a: f64, b: f64| a == b || (a - b).abs() <= ROUNDING * largest;
         let solver = solver(&surface, Parameters::default());

@@ -5,6 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::sync::Arc;
 
+use crate::common::truth::Random;
 use crate::common::{any_triangles, band, flat, soup, surface};
 use heatwalk::exact::{ExactGeometry, shortest_path};
 use heatwalk::{
@@ -35,12 +36,12 @@ fn case(soup: &Soup) -> Case {
 }
 
 fn cases() -> [Case; 4] {
-    let mut seed = 5;
+    let mut random = Random::new(5);
     [
         case(&shapes::torus(2.0, 0.7, 80, 40)),
         case(&shapes::maze(6, 2)),
         case(&band(60, 1)),
-        case(&any_triangles(80, &mut seed)),
+        case(&any_triangles(80, &mut random)),
     ]
 }
 

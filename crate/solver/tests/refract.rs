@@ -3,13 +3,13 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::media::{jittered_square, least_cost, two_media};
-use crate::common::{nearest, random, surface};
+use crate::common::truth::Random;
+use crate::common::{nearest, surface};
 use glam::DVec3;
-use heatwalk::{Costs, DistanceOptions, DistanceSolver, FaceId, VertexId, descend, refract, straighten};
+use heatwalk::{Costs, DistanceOptions, DistanceSolver, FaceId, VertexId, descend, go_on, refract, straighten};
 use heatwalk_shapes::torus;
 
 #[test]
@@ -20,12 +20,12 @@ fn paths_over_two_media_cost_what_snell_says() {
         for source in [DVec3::new(0.2, 0.5, 0.0), DVec3::new(0.55, 0.1, 0.0)] {
             let source = nearest(&square, source);
             let mut solver = DistanceSolver::new(Arc::clone(&square)).weighted(costs.clone());
-            let go_on = &mut |_| ControlFlow::Continue(());
-            let distance = solver.distance(&[source], &DistanceOptions::default(), go_on).expect("a source").distance;
-            let mut seed = 1;
+            let distance =
+                solver.distance(&[source], &DistanceOptions::default(), &mut go_on).expect("a source").distance;
+            let mut random = Random::new(1);
             let (mut before, mut after, mut worst, count) = (0.0, 0.0, 0.0_f64, 200);
             for _ in 0..count {
-                let from = VertexId(random(&mut seed, square.vertex_count()) as u32);
+                let from = VertexId(random.below(square.vertex_count()) as u32);
                 if from == source {
                     continue;
                 }
@@ -53,8 +53,7 @@ fn with_one_cost_refracted_paths_are_straight() {
     let ring = surface(&torus(1.0, 0.4, 40, 20));
     let costs = Costs::new(&ring, (0..ring.face_count()).map(|_| 2.5).collect()).expect("in range");
     let mut solver = DistanceSolver::new(ring.clone());
-    let go_on = &mut |_| ControlFlow::Continue(());
-    let distance = solver.distance(&[VertexId(3)], &DistanceOptions::default(), go_on).expect("a source").distance;
+    let distance = solver.distance(&[VertexId(3)], &DistanceOptions::default(), &mut go_on).expect("a source").distance;
     for from in (10..800).step_by(50).map(VertexId) {
         let steepest = descend(&ring, &distance, from).expect("connected");
         let [straight, refracted] = [straighten(&ring, &steepest), refract(&ring, &costs, &steepest)]
@@ -72,12 +71,11 @@ fn with_one_cost_refracted_paths_are_straight() {
 #[test]
 fn random_costs_break_no_path() {
     let ring = surface(&torus(1.0, 0.4, 40, 20));
-    let mut seed = 5;
-    let of_face = (0..ring.face_count()).map(|_| 10.0_f64.powf(3.0 * (random(&mut seed, 1000) as f64 / 500.0 - 1.0)));
+    let mut random = Random::new(5);
+    let of_face = (0..ring.face_count()).map(|_| 10.0_f64.powf(random.between(-3.0, 3.0)));
     let costs = Costs::new(&ring, of_face.collect()).expect("in range");
     let mut solver = DistanceSolver::new(ring.clone()).weighted(costs.clone());
-    let go_on = &mut |_| ControlFlow::Continue(());
-    let distance = solver.distance(&[VertexId(3)], &DistanceOptions::default(), go_on).expect("a source").distance;
+    let distance = solver.distance(&[VertexId(3)], &DistanceOptions::default(), &mut go_on).expect("a source").distance;
     assert!(distance.values.iter().all(|value| value.is_finite()));
     for from in (10..800).step_by(10).map(VertexId) {
         let steepest = descend(&ring, &distance, from).expect("connected");

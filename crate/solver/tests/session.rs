@@ -3,23 +3,18 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::{nearest, soup, surface};
 use glam::DVec3;
 use heatwalk::{
     Answer, BridgeRule, Bridges, Costs, DistanceOptions, DistanceSolver, Error, FaceId, Method, PathKind,
-    RelativeError, Solution, Source, Step, Surface, VertexId, Walls,
+    RelativeError, Solution, Source, Surface, VertexId, Walls, go_on,
 };
 use heatwalk_shapes as shapes;
 
 /// What rounding may take from a length.
 const ROUNDING: f64 = 1e-9;
-
-fn go_on(_: Step) -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
 
 fn ask(solver: &mut DistanceSolver, source: VertexId, options: &DistanceOptions) -> Answer {
     solver.distance(&[source], options, &mut go_on).expect("a distance")
@@ -35,11 +30,9 @@ const GAP: f64 = 0.01;
 /// Two unit spheres that nearly touch.
 fn pair() -> Arc<Surface> {
     let sphere = shapes::icosphere(3);
-    let count = sphere.positions.len() as u32;
-    let other = sphere.positions.iter().map(|&position| position + DVec3::X * (2.0 + GAP));
-    let positions = sphere.positions.iter().copied().chain(other).collect();
-    let shifted = sphere.triangles.iter().map(|corners| corners.map(|corner| corner + count));
-    Arc::new(surface(&soup(positions, sphere.triangles.iter().copied().chain(shifted).collect())))
+    let mut pair = soup(sphere.positions.clone(), sphere.triangles.clone());
+    pair.add(sphere.positions.iter().map(|&position| position + DVec3::X * (2.0 + GAP)), &sphere.triangles);
+    Arc::new(surface(&pair))
 }
 
 /// A belt around the torus but for a gate.

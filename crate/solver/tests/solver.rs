@@ -11,15 +11,11 @@ use crate::common::{square, surface};
 use heatwalk::exact::exact_distance;
 use heatwalk::{
     Answer, Boundary, DistanceOptions, DistanceSolver, Error, ExactRadius, HeatSolver, Method, Parameters,
-    PropagationOptions, RelativeError, Stage, Step, Surface, VertexId, Windows, propagation,
+    PropagationOptions, RelativeError, Stage, Surface, VertexId, Windows, go_on, propagation,
 };
 use heatwalk_shapes as shapes;
 
 const METHODS: [Method; 4] = [Method::Auto, Method::Propagation, Method::Heat, Method::Exact];
-
-fn go_on(_: Step) -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
 
 fn torus() -> Arc<Surface> {
     Arc::new(surface(&shapes::torus(2.0, 0.7, 90, 40)))
@@ -37,21 +33,21 @@ fn each_method_gives_what_it_gives_by_itself() {
     let mut by = |method| solver.distance(&sources, &DistanceOptions::by(method), &mut go_on).expect("a distance");
 
     let exact = by(Method::Exact);
-    let alone = exact_distance(&surface, &sources, &mut |_| ControlFlow::Continue(())).expect("a distance");
+    let alone = exact_distance(&surface, &sources, &mut go_on).expect("a distance");
     assert_eq!(exact.distance.values, alone);
     assert_eq!((exact.method, exact.distance.exact_below), (Method::Exact, f64::INFINITY));
     assert!(exact.windows > surface.face_count());
 
     let few = by(Method::Propagation);
     let options = PropagationOptions::default();
-    let alone = propagation::propagated_distance(&surface, &sources, options, &mut |_| ControlFlow::Continue(()));
+    let alone = propagation::propagated_distance(&surface, &sources, options, &mut go_on);
     assert_eq!(few.distance, alone.expect("a distance"));
     assert_eq!(few.method, Method::Propagation);
     assert!(few.distance.exact_below > 0.0 && few.distance.exact_below < few.distance.max());
     assert!(few.windows > 0 && few.windows < exact.windows, "{} {}", few.windows, exact.windows);
 
     let heat = by(Method::Heat);
-    let alone = HeatSolver::new(Arc::clone(&surface), Parameters::default(), &mut |_, _| ControlFlow::Continue(()))
+    let alone = HeatSolver::new(Arc::clone(&surface), Parameters::default(), &mut go_on)
         .and_then(|solver| solver.distance(&sources));
     assert_eq!(heat.distance, alone.expect("a distance"));
     assert_eq!((heat.method, heat.windows), (Method::Heat, 0));
@@ -94,10 +90,8 @@ fn only_what_a_method_needs_is_made_and_once() {
     let heat = DistanceOptions::by(Method::Heat);
     let stages = |solver: &mut DistanceSolver, options: &DistanceOptions| {
         let mut stages = Vec::new();
-        let mut note = |step| {
-            if let Step::Precompute(stage, _) = step {
-                stages.push(stage);
-            }
+        let mut note = |stage, _| {
+            stages.push(stage);
             ControlFlow::Continue(())
         };
         solver.prepare(options, &mut note).expect("factors");
@@ -144,17 +138,19 @@ fn the_caller_is_told_how_far_it_is_and_can_stop() {
     let mut solver = DistanceSolver::new(surface(&shapes::icosphere(6)));
     for method in METHODS {
         let options = DistanceOptions::by(method);
-        let mut steps = Vec::new();
-        let mut stop = |step| {
-            steps.push(step);
-            if steps.len() == 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let mut stages = Vec::new();
+        let mut stop = |stage, _| {
+            stages.push(stage);
+            if stages.len() == 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         let stopped = solver.distance(&[VertexId(0)], &options, &mut stop).map(|answer| answer.windows);
         assert_eq!(stopped, Err(Error::Cancelled), "{method}");
-        match (method, steps.as_slice()) {
-            (Method::Heat, [Step::Precompute(first, _), Step::Precompute(..)]) => assert_eq!(*first, Stage::Assembling),
-            (_, &[Step::Radius(first), Step::Radius(second)]) => assert!(0.0 < first && first <= second),
-            (_, steps) => panic!("{method}: {steps:?}"),
+        match (method, stages.as_slice()) {
+            (Method::Heat, stages) => assert_eq!(stages, [Stage::Assembling, Stage::Ordering]),
+            (_, &[Stage::Searching { radius: first }, Stage::Searching { radius: second }]) => {
+                assert!(0.0 < first && first <= second);
+            }
+            (_, stages) => panic!("{method}: {stages:?}"),
         }
         // It answers afterwards.
         let exact = ask(&mut solver, 0, &DistanceOptions::by(Method::Exact));
@@ -206,13 +202,13 @@ fn several_questions_can_be_stopped() {
     let sources = [VertexId(0); 5];
     let options = DistanceOptions::by(Method::Propagation);
     let mut steps = Vec::new();
-    let mut stop = |step| {
-        steps.push(step);
+    let mut stop = |stage, done| {
+        steps.push((stage, done));
         if steps.len() == 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     };
     let stopped = solver.distances_from_each(&sources, &options, threads(1), &mut stop);
     assert_eq!(stopped, Err(Error::Cancelled));
-    assert_eq!(steps, [1, 2, 3].map(Step::Answered));
+    assert_eq!(steps, [0.2, 0.4, 0.6].map(|done| (Stage::Answering, done)));
     let none = solver.distances_from_each::<VertexId>(&[], &options, threads(1), &mut go_on);
     assert_eq!(none, Err(Error::NoSource));
     let missing = [VertexId(0), VertexId(1_000_000)];

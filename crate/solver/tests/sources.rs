@@ -5,7 +5,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::ops::ControlFlow;
 
-use crate::common::{heat_only, nearest, random, solver_with, square, surface};
+use crate::common::truth::Random;
+use crate::common::{heat_only, nearest, solver_with, square, surface};
 use faer::prelude::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, Side};
@@ -102,9 +103,9 @@ fn check_against_refactored(soup: &Soup, sources: &[u32]) {
 fn few_sources_as_if_factored_anew() {
     for soup in [square(20), shapes::icosphere(4), shapes::torus(2.0, 0.7, 48, 24)] {
         let count = soup.positions.len();
-        let mut seed = 5;
-        check_against_refactored(&soup, &[random(&mut seed, count) as u32]);
-        let five: Vec<u32> = (0..5).map(|_| random(&mut seed, count) as u32).collect();
+        let mut random = Random::new(5);
+        check_against_refactored(&soup, &[random.below(count) as u32]);
+        let five: Vec<u32> = (0..5).map(|_| random.below(count) as u32).collect();
         check_against_refactored(&soup, &five);
     }
 }
@@ -159,13 +160,13 @@ fn what_was_asked_before_changes_no_bit_of_a_source_s_distance() {
 #[test]
 fn distances_start_at_sources_inside_faces_and_on_edges() {
     let soup = shapes::icosphere(4);
-    let mut seed = 9;
+    let mut random = Random::new(9);
     for exact_radius in [ExactRadius::Automatic, ExactRadius::Edges(0.0)] {
         let solver = solver_with(&soup, Parameters { exact_radius, ..Parameters::default() });
         let surface = solver.surface();
         let sources: Vec<Place> = (0..6)
             .map(|index| {
-                let face = FaceId(random(&mut seed, surface.face_count()) as u32);
+                let face = FaceId(random.below(surface.face_count()) as u32);
                 let halfedge = heatwalk::HalfedgeId(face.0 * 3);
                 match index % 2 {
                     0 => Place::Face { face, weights: [0.2, 0.3, 0.5] },

@@ -9,7 +9,8 @@ use std::f64::consts::{PI, TAU};
 
 use crate::common::exact_distances::{self, Field, Known};
 use crate::common::shortness::{check_valid, largest_kink, sharpest_turn};
-use crate::common::{band, book, distance_from, nearest, random, solver, soup, square, surface};
+use crate::common::truth::Random;
+use crate::common::{band, book, distance_from, nearest, solver, soup, square, surface};
 use glam::{DVec3, Vec3Swizzles};
 use heatwalk::{
     Boundary, Element, FaceId, HeatSolver, InputVertex, Path, Place, Soup, Surface, VertexId, descend, edge_path,
@@ -38,23 +39,23 @@ fn straightened(surface: &Surface, path: &Path) -> Path {
     straight
 }
 
-fn random_point(surface: &Surface, seed: &mut u64) -> Place {
-    if random(seed, 2) == 0 {
-        return Place::Vertex(VertexId::from_index(random(seed, surface.vertex_count())));
+fn random_point(surface: &Surface, random: &mut Random) -> Place {
+    if random.below(2) == 0 {
+        return Place::Vertex(VertexId::from_index(random.below(surface.vertex_count())));
     }
-    let a = random(seed, 1000) as f64 / 1000.0;
-    let b = (1.0 - a) * random(seed, 1000) as f64 / 1000.0;
-    let face = FaceId(random(seed, surface.face_count()) as u32);
-    let weights = if random(seed, 4) == 0 { [a, 1.0 - a, 0.0] } else { [a, b, 1.0 - a - b] };
+    let a = random.share();
+    let b = (1.0 - a) * random.share();
+    let face = FaceId(random.below(surface.face_count()) as u32);
+    let weights = if random.below(4) == 0 { [a, 1.0 - a, 0.0] } else { [a, b, 1.0 - a - b] };
     Place::Face { face, weights }
 }
 
 /// Descends and straightens between random points, and hands both on.
 fn try_pairs(solver: &HeatSolver, pairs: usize, mut each: impl FnMut(DVec3, DVec3, &Path)) {
     let surface = solver.surface();
-    let mut seed = 3;
+    let mut random = Random::new(3);
     for _ in 0..pairs {
-        let [source, from] = [(); 2].map(|()| random_point(surface, &mut seed));
+        let [source, from] = [(); 2].map(|()| random_point(surface, &mut random));
         let distance = solver.distance(&[source]).expect("a source");
         let path = descend(surface, &distance, from).expect("reachable");
         each(from.position(surface), source.position(surface), &straightened(surface, &path));
@@ -62,12 +63,12 @@ fn try_pairs(solver: &HeatSolver, pairs: usize, mut each: impl FnMut(DVec3, DVec
 }
 
 /// A walk along edges that chooses each next one at random.
-fn random_walk(surface: &Surface, seed: &mut u64, steps: usize) -> Path {
-    let mut vertices = vec![VertexId::from_index(random(seed, surface.vertex_count()))];
+fn random_walk(surface: &Surface, random: &mut Random, steps: usize) -> Path {
+    let mut vertices = vec![VertexId::from_index(random.below(surface.vertex_count()))];
     for _ in 0..steps {
         let corners: Vec<_> = surface.corners_of_vertex(vertices[vertices.len() - 1]).collect();
-        let (face, k) = corners[random(seed, corners.len())];
-        vertices.push(surface.faces()[face][(k + 1 + random(seed, 2)) % 3]);
+        let (face, k) = corners[random.below(corners.len())];
+        vertices.push(surface.faces()[face][(k + 1 + random.below(2)) % 3]);
     }
     Path::along_edges(surface, &vertices).expect("edges")
 }
@@ -85,9 +86,9 @@ fn plane() {
 #[test]
 fn any_walk_in_the_plane_becomes_the_line() {
     let surface = surface(&square(12));
-    let mut seed = 8;
+    let mut random = Random::new(8);
     for steps in 0..200 {
-        let walk = random_walk(&surface, &mut seed, steps);
+        let walk = random_walk(&surface, &mut random, steps);
         let [from, to] = [walk.points[0].position, walk.points[walk.points.len() - 1].position];
         // Rounding of some ten crossings.
         assert!((straightened(&surface, &walk).length() - from.distance(to)).abs() < 1e-12);
@@ -121,10 +122,10 @@ fn over_an_edge_of_a_cube() {
     let solver = solver(&cube(10), 1.0, Boundary::Neumann);
     let surface = solver.surface();
     assert_eq!(surface.report().euler_characteristic, 2);
-    let mut seed = 1;
+    let mut random = Random::new(1);
     for _ in 0..40 {
         // On the top and on the front, near enough to their common edge that no way over a third side is shorter.
-        let mut tenth = || random(&mut seed, 5) as f64 / 10.0;
+        let mut tenth = || random.below(5) as f64 / 10.0;
         let [x, y, u, z] = [0.3 + tenth(), tenth(), 0.3 + tenth(), 1.0 - tenth()];
         let [top, front] = [DVec3::new(x, y, 1.0), DVec3::new(u, 0.0, z)];
         let [from, to] = [top, front].map(|position| nearest(surface, position));
@@ -185,16 +186,16 @@ fn every_kind_of_surface() {
     for soup in shapes.into_iter().chain([shapes::maze(4, 3), shapes::uv_sphere(40, 20), shapes::grid(9, 9)]) {
         try_pairs(&solver(&soup, 1.0, Boundary::Neumann), 30, |_, _, _| {});
         let surface = surface(&soup);
-        let mut seed = 12;
+        let mut random = Random::new(12);
         for steps in 0..60 {
-            straightened(&surface, &random_walk(&surface, &mut seed, steps));
+            straightened(&surface, &random_walk(&surface, &mut random, steps));
         }
     }
 }
 
 #[test]
 fn slivers_of_any_thickness() {
-    let mut seed = 15;
+    let mut random = Random::new(15);
     for thickness in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8] {
         for mut soup in [shapes::grid(12, 12), shapes::icosphere(2)] {
             for position in &mut soup.positions {
@@ -202,9 +203,9 @@ fn slivers_of_any_thickness() {
             }
             let surface = surface(&soup);
             for steps in 0..100 {
-                straightened(&surface, &random_walk(&surface, &mut seed, steps));
-                let from = random_point(&surface, &mut seed);
-                let direction = DVec3::new(random(&mut seed, 99) as f64 - 49.5, 0.3, random(&mut seed, 99) as f64);
+                straightened(&surface, &random_walk(&surface, &mut random, steps));
+                let from = random_point(&surface, &mut random);
+                let direction = DVec3::new(random.below(99) as f64 - 49.5, 0.3, random.below(99) as f64);
                 let walk =
                     straightest(&surface, from, None, direction, 20.0 * surface.mean_edge()).expect("a direction");
                 straightened(&surface, &walk.path);
@@ -215,15 +216,15 @@ fn slivers_of_any_thickness() {
 
 #[test]
 fn rough_terrain() {
-    let mut seed = 6;
+    let mut random = Random::new(6);
     for height in [0.01, 0.3, 3.0, 30.0] {
         let mut soup = shapes::grid(14, 14);
         for position in &mut soup.positions {
-            position.y = height * random(&mut seed, 1000) as f64 / 1000.0;
+            position.y = height * random.share();
         }
         let surface = surface(&soup);
         for steps in 0..100 {
-            straightened(&surface, &random_walk(&surface, &mut seed, steps));
+            straightened(&surface, &random_walk(&surface, &mut random, steps));
         }
     }
 }
@@ -253,15 +254,11 @@ fn around_a_corner_of_the_boundary() {
 
 #[test]
 fn any_triangles() {
-    let mut seed = 21;
-    for points in [5, 7, 9, 12, 20, 40] {
-        for _ in 0..8 {
-            let surface = surface(&common::any_triangles(points, &mut seed));
-            for steps in 0..30 {
-                straightened(&surface, &random_walk(&surface, &mut seed, steps));
-            }
+    common::for_any_triangles(21, |surface, random| {
+        for steps in 0..30 {
+            straightened(surface, &random_walk(surface, random, steps));
         }
-    }
+    });
 }
 
 #[test]
@@ -297,10 +294,10 @@ fn a_way_there_and_back_is_a_point() {
 #[test]
 fn straight_paths_stay_as_they_are() {
     let surface = surface(&shapes::torus(2.0, 0.7, 24, 12));
-    let mut seed = 2;
+    let mut random = Random::new(2);
     for _ in 0..40 {
-        let from = random_point(&surface, &mut seed);
-        let direction = DVec3::new(random(&mut seed, 99) as f64 - 49.0, random(&mut seed, 99) as f64 - 49.0, 3.5);
+        let from = random_point(&surface, &mut random);
+        let direction = DVec3::new(random.below(99) as f64 - 49.0, random.below(99) as f64 - 49.0, 3.5);
         let walk = straightest(&surface, from, None, direction, 3.0).expect("a direction");
         let straight = straightened(&surface, &walk.path);
         // Rounding of one walk of some ten faces.
@@ -316,10 +313,10 @@ fn straightened_paths_are_mostly_shortest(meshes: &[Known]) {
         let Field { source, exact, .. } = &fields[0];
         let (solver, distance) = distance_from(soup, *source as u32);
         let surface = solver.surface();
-        let mut seed = 14;
+        let mut random = Random::new(14);
         let mut excess = Vec::new();
         for _ in 0..200 {
-            let input = random(&mut seed, exact.len());
+            let input = random.below(exact.len());
             let from = surface.vertex_of_input(InputVertex::from_index(input)).expect("a vertex in use");
             let path = descend(surface, &distance, Place::Vertex(from)).expect("reachable");
             let length = straightened(surface, &path).length();

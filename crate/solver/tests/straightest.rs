@@ -7,7 +7,8 @@ use crate::common;
 
 use std::f64::consts::{PI, TAU};
 
-use crate::common::{band, book, nearest, random, soup, square, surface};
+use crate::common::truth::Random;
+use crate::common::{band, book, nearest, soup, square, surface, two_squares};
 use glam::DVec3;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
@@ -44,30 +45,30 @@ fn end(walked: &Straightest) -> DVec3 {
     walked.path.points[walked.path.points.len() - 1].position
 }
 
-fn random_point(surface: &Surface, seed: &mut u64) -> Place {
-    let share = random(seed, 1000) as f64 / 1000.0;
-    match random(seed, 3) {
-        0 => Place::Vertex(VertexId::from_index(random(seed, surface.vertex_count()))),
-        1 => Place::Edge { halfedge: HalfedgeId(random(seed, 3 * surface.face_count()) as u32), fraction: share },
+fn random_point(surface: &Surface, random: &mut Random) -> Place {
+    let share = random.share();
+    match random.below(3) {
+        0 => Place::Vertex(VertexId::from_index(random.below(surface.vertex_count()))),
+        1 => Place::Edge { halfedge: HalfedgeId(random.below(3 * surface.face_count()) as u32), fraction: share },
         _ => {
-            let rest = (1.0 - share) * random(seed, 1000) as f64 / 1000.0;
-            let face = FaceId(random(seed, surface.face_count()) as u32);
+            let rest = (1.0 - share) * random.share();
+            let face = FaceId(random.below(surface.face_count()) as u32);
             Place::Face { face, weights: [share, rest, 1.0 - share - rest] }
         }
     }
 }
 
-fn random_direction(seed: &mut u64) -> DVec3 {
-    let mut coordinate = || random(seed, 2001) as f64 - 1000.5;
+fn random_direction(random: &mut Random) -> DVec3 {
+    let mut coordinate = || random.below(2001) as f64 - 1000.5;
     DVec3::from_array([(); 3].map(|()| coordinate()))
 }
 
 #[test]
 fn plane() {
     let surface = surface(&square(16));
-    let mut seed = 4;
+    let mut random = Random::new(4);
     for k in 0..300 {
-        let from = random_point(&surface, &mut seed);
+        let from = random_point(&surface, &mut random);
         // Among them many along the edges and through the vertices.
         let turn = if k % 2 == 0 { f64::from(k) * PI / 8.0 } else { f64::from(k) };
         let direction = DVec3::new(turn.cos(), turn.sin(), 0.0);
@@ -125,12 +126,12 @@ fn along_the_boundary_to_the_next_vertex() {
 fn cone_unrolled() {
     for height in [0.3, 1.0, 4.0] {
         let surface = surface(&cone(12, 30, height));
-        let mut seed = 6;
+        let mut random = Random::new(6);
         for _ in 0..50 {
-            let face = FaceId(12 + random(&mut seed, 12 * 2 * 9) as u32);
+            let face = FaceId(12 + random.below(12 * 2 * 9) as u32);
             let from = Place::Face { face, weights: [0.3, 0.3, 0.4] };
             let start = from.position(&surface);
-            let direction = random_direction(&mut seed).reject_from_normalized(surface.face_normal(face)).normalize();
+            let direction = random_direction(&mut random).reject_from_normalized(surface.face_normal(face)).normalize();
             let walked = walk(&surface, from, Some(face), direction, 12.0);
             // The cosine rule in the unrolled cone.
             let (radius, cos) = (start.length(), start.normalize().dot(direction));
@@ -162,11 +163,11 @@ fn through_the_tip_of_a_cone() {
 #[test]
 fn around_a_sphere() {
     let surface = surface(&shapes::icosphere(4));
-    let mut seed = 9;
+    let mut random = Random::new(9);
     for _ in 0..40 {
-        let from = random_point(&surface, &mut seed);
+        let from = random_point(&surface, &mut random);
         let start = from.position(&surface);
-        let walked = walk(&surface, from, None, random_direction(&mut seed), TAU);
+        let walked = walk(&surface, from, None, random_direction(&mut random), TAU);
         // Between a great circle and the walk lies as much curvature as between the faces and the sphere: some parts
         // in a hundred of a turn, at edges of 0.07.
         assert!(end(&walked).distance(start) < 0.1, "{}", end(&walked).distance(start));
@@ -182,10 +183,10 @@ fn backwards_to_the_start() {
     let shapes = [shapes::torus(2.0, 0.7, 40, 20), stretched, band(30, 1), shapes::uv_sphere(24, 12)];
     for soup in shapes {
         let surface = surface(&soup);
-        let mut seed = 10;
+        let mut random = Random::new(10);
         for _ in 0..100 {
-            let from = random_point(&surface, &mut seed);
-            let there = walk(&surface, from, None, random_direction(&mut seed), 40.0 * surface.mean_edge());
+            let from = random_point(&surface, &mut random);
+            let there = walk(&surface, from, None, random_direction(&mut random), 40.0 * surface.mean_edge());
             let last = there.path.points[there.path.points.len() - 1];
             let length = there.path.length();
             if there.is_at_boundary && matches!(last.location, Place::Vertex(_)) {
@@ -203,10 +204,10 @@ fn backwards_to_the_start() {
 fn never_shorter_than_the_straightened_path() {
     for soup in [shapes::torus(2.0, 0.7, 40, 20), band(30, 1), shapes::icosphere(3)] {
         let surface = surface(&soup);
-        let mut seed = 13;
+        let mut random = Random::new(13);
         for _ in 0..60 {
-            let from = random_point(&surface, &mut seed);
-            let walked = walk(&surface, from, None, random_direction(&mut seed), 20.0 * surface.mean_edge());
+            let from = random_point(&surface, &mut random);
+            let walked = walk(&surface, from, None, random_direction(&mut random), 20.0 * surface.mean_edge());
             assert!(
                 straighten(&surface, &walked.path).expect("a path of this surface").length() <= walked.path.length()
             );
@@ -227,16 +228,12 @@ fn where_pages_meet_it_goes_on_into_the_flattest() {
 
 #[test]
 fn any_triangles() {
-    let mut seed = 22;
-    for points in [5, 7, 9, 12, 20, 40] {
-        for _ in 0..8 {
-            let surface = surface(&common::any_triangles(points, &mut seed));
-            for _ in 0..30 {
-                let from = random_point(&surface, &mut seed);
-                walk(&surface, from, None, random_direction(&mut seed), 30.0);
-            }
+    common::for_any_triangles(22, |surface, random| {
+        for _ in 0..30 {
+            let from = random_point(surface, random);
+            walk(surface, from, None, random_direction(random), 30.0);
         }
-    }
+    });
 }
 
 #[test]
@@ -271,9 +268,9 @@ fn rejects_invalid_arguments_of_a_walk() {
 #[test]
 fn edge_path_on_a_grid() {
     let surface = surface(&shapes::grid(6, 6));
-    let mut seed = 15;
+    let mut random = Random::new(15);
     for _ in 0..60 {
-        let [from, to] = [(); 2].map(|()| VertexId::from_index(random(&mut seed, surface.vertex_count())));
+        let [from, to] = [(); 2].map(|()| VertexId::from_index(random.below(surface.vertex_count())));
         let way = edge_path(&surface, from, to).expect("connected");
         assert_eq!((way[0], way[way.len() - 1]), (from, to));
         let length: f64 = way.windows(2).map(|e| surface.position(e[0]).distance(surface.position(e[1]))).sum();
@@ -325,10 +322,6 @@ fn edge_polyline_joins_once() {
 
 #[test]
 fn edge_path_between_two_pieces_is_unreachable() {
-    let mut two = square(2);
-    let first = two.positions.len() as u32;
-    let other = square(2);
-    two.positions.extend(other.positions.iter().map(|&position| position + DVec3::Z));
-    two.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first)));
+    let (two, first) = two_squares(2);
     assert_eq!(edge_path(&surface(&two), VertexId(0), VertexId(first)), Err(Error::Unreachable));
 }

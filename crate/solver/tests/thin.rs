@@ -4,16 +4,16 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::searches::geometry;
-use crate::common::{random, soup, surface};
+use crate::common::truth::Random;
+use crate::common::{soup, surface};
 use glam::{DVec2, DVec3};
 use heatwalk::propagation::Propagation;
 use heatwalk::{
-    DistanceOptions, DistanceSolver, ExactRadius, ExactSearch, InputVertex, Method, Place, PropagationOptions, Soup,
-    Surface, VertexId, Windows,
+    DistanceOptions, DistanceSolver, Element, ExactRadius, ExactSearch, InputVertex, Method, Place, PropagationOptions,
+    Soup, Surface, VertexId, Windows, go_on,
 };
 
 /// What rounding may take from a length, as a share of the extent.
@@ -27,7 +27,7 @@ struct Sheet {
 }
 
 impl Sheet {
-    fn new(steps: [&[f64]; 2], seed: &mut u64, bend: f64) -> Self {
+    fn new(steps: [&[f64]; 2], random: &mut Random, bend: f64) -> Self {
         let places = |steps: &[f64]| {
             let sums = steps.iter().scan(0.0, |sum, step| {
                 *sum += step;
@@ -52,28 +52,29 @@ impl Sheet {
             for j in 0..steps[1].len() as u32 {
                 let a = i * row + j;
                 let [b, c, d] = [a + row, a + row + 1, a + 1];
-                triangles.extend(if random(seed, 2) == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] });
+                triangles.extend(if random.below(2) == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] });
             }
         }
         Self { soup: soup(positions, triangles), plane }
     }
 
     /// Steps of any size between 1 and a power of ten below it.
-    fn steps(count: usize, decades: f64, seed: &mut u64) -> Vec<f64> {
-        (0..count).map(|_| 10_f64.powf(-decades * random(seed, 1000) as f64 / 1000.0)).collect()
+    fn steps(count: usize, decades: f64, random: &mut Random) -> Vec<f64> {
+        (0..count).map(|_| 10_f64.powf(-decades * random.share())).collect()
     }
 }
 
 /// Sheets of slivers, flat and rolled up.
 fn sheets() -> Vec<Sheet> {
-    let mut seed = 5;
+    let mut random = Random::new(5);
     let mut sheets = Vec::new();
     for decades in [2.0, 5.0, 8.0] {
         for bend in [0.0, 0.1] {
             for [across, along] in [[24, 3], [12, 12], [40, 30]] {
-                let across = Sheet::steps(across, decades, &mut seed);
-                let along = Sheet::steps(along, if seed % 2 == 0 { 0.0 } else { decades }, &mut seed);
-                sheets.push(Sheet::new([&across, &along], &mut seed, bend));
+                let across = Sheet::steps(across, decades, &mut random);
+                let decades = if random.chance(0.5) { 0.0 } else { decades };
+                let along = Sheet::steps(along, decades, &mut random);
+                sheets.push(Sheet::new([&across, &along], &mut random, bend));
             }
         }
     }
@@ -99,7 +100,6 @@ fn along_edges(surface: &Surface, from: VertexId) -> Vec<f64> {
 }
 
 fn solved(surface: &Arc<Surface>, from: VertexId, options: &DistanceOptions) -> Vec<f64> {
-    let mut go_on = |_| ControlFlow::Continue(());
     let answer = DistanceSolver::new(Arc::clone(surface)).distance(&[from], options, &mut go_on);
     answer.expect("an answer").distance.values.into_vec()
 }
@@ -123,11 +123,11 @@ fn propagated(surface: &Arc<Surface>, from: VertexId, windows: u16) -> Vec<f64> 
 
 #[test]
 fn heat_is_between_the_straight_line_and_the_way_along_edges() {
-    let mut seed = 3;
+    let mut random = Random::new(3);
     for sheet in sheets() {
         let surface = Arc::new(surface(&sheet.soup));
         for _ in 0..2 {
-            let from = VertexId(random(&mut seed, surface.vertex_count()) as u32);
+            let from = VertexId::from_index(random.below(surface.vertex_count()));
             let values = solved(&surface, from, &heat());
             let along = along_edges(&surface, from);
             let extent = along.iter().copied().fold(0.0, f64::max);
@@ -142,11 +142,11 @@ fn heat_is_between_the_straight_line_and_the_way_along_edges() {
 
 #[test]
 fn propagation_is_near_on_thin_triangles_and_nearer_with_more_windows() {
-    let mut seed = 3;
+    let mut random = Random::new(3);
     let mut means = [0.0; 2];
     for sheet in sheets() {
         let surface = Arc::new(surface(&sheet.soup));
-        let from = VertexId(random(&mut seed, surface.vertex_count()) as u32);
+        let from = VertexId::from_index(random.below(surface.vertex_count()));
         // A bent rectangle is one of the plane to whoever walks on it.
         let place = |vertex: VertexId| sheet.plane[surface.inputs_of_vertex(vertex)[0].0 as usize];
         let exact: Vec<f64> = surface.vertices().map(|vertex| place(vertex).distance(place(from))).collect();
@@ -229,13 +229,12 @@ fn exact() -> DistanceOptions {
 #[test]
 fn heat_of_many_sources_is_below_none_in_a_straight_line() {
     let surface = Arc::new(surface(&sheets()[4].soup));
-    let mut seed = 11;
+    let mut random = Random::new(11);
     let mut sources = Vec::new();
     for _ in 0..20 {
-        let vertex = Place::Vertex(VertexId(random(&mut seed, surface.vertex_count()) as u32));
-        sources.push((vertex, 0.01 * random(&mut seed, 100) as f64));
+        let vertex = Place::Vertex(VertexId::from_index(random.below(surface.vertex_count())));
+        sources.push((vertex, 0.01 * random.below(100) as f64));
     }
-    let mut go_on = |_| ControlFlow::Continue(());
     let answer = DistanceSolver::new(Arc::clone(&surface)).distance(&sources, &heat(), &mut go_on);
     let values = answer.expect("an answer").distance.values;
     for vertex in surface.vertices() {

@@ -5,16 +5,16 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use crate::common;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::common::{band, book, distance_from, flat, random, soup, square, surface};
+use crate::common::truth::Random;
+use crate::common::{band, book, distance_from, flat, soup, square, surface};
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
 use heatwalk::operator::intrinsic::IntrinsicTriangulation;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    CutVertex, Element, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Soup, Surface, VertexId,
+    CutVertex, Element, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle, InputVertex, Soup, Surface, VertexId, go_on,
 };
 use heatwalk_shapes as shapes;
 
@@ -73,10 +73,10 @@ fn known_shapes() {
 }
 
 /// The same surface with its vertices and triangles in an order that has nothing to do with where they are.
-fn shuffled(soup: &Soup, seed: &mut u64) -> Soup {
+fn shuffled(soup: &Soup, random: &mut Random) -> Soup {
     let mut order = |count: usize| {
         let mut order: Vec<usize> = (0..count).collect();
-        (1..count).rev().for_each(|i| order.swap(i, random(seed, i + 1)));
+        (1..count).rev().for_each(|i| order.swap(i, random.below(i + 1)));
         order
     };
     let (vertices, triangles) = (order(soup.positions.len()), order(soup.triangles.len()));
@@ -92,7 +92,7 @@ fn shuffled(soup: &Soup, seed: &mut u64) -> Soup {
 
 #[test]
 fn neighbours_on_a_large_surface_are_neighbours_in_memory() {
-    let soup = shuffled(&shapes::torus(2.0, 0.7, 240, 120), &mut 5);
+    let soup = shuffled(&shapes::torus(2.0, 0.7, 240, 120), &mut Random::new(5));
     let surface = checked(&soup);
     let jump = |vertex: VertexId| {
         let other = surface.neighbours(vertex).next().expect("a neighbour");
@@ -178,8 +178,7 @@ fn triangles_without_area_that_join_others_at_a_vertex_or_a_junction_stay() {
     let distance = |real: &[[u32; 3]], flat_ones: &[[u32; 3]], to: u32| {
         let places = [(0.0, 0.0), (3.0, 0.0), (1.0, 2.0), (1.0, 0.0), (1.0, -2.0), (2.0, -2.0), (1.0, -4.0)];
         let surface = Arc::new(checked(&soup(flat(&places), [real, flat_ones].concat())));
-        let going_on = &mut |_| ControlFlow::Continue(());
-        exact_distance(&surface, &[VertexId(2)], going_on).expect("a valid source")[VertexId(to)]
+        exact_distance(&surface, &[VertexId(2)], &mut go_on).expect("a valid source")[VertexId(to)]
     };
     // Below the x axis another triangle, with a corner on the long edge of the one above.
     let at_vertex = [[0, 1, 2], [3, 4, 5]];

@@ -8,7 +8,6 @@ use crate::common;
 
 use std::cell::RefCell;
 use std::num::NonZeroU16;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::searches;
@@ -20,7 +19,7 @@ use heatwalk::exact::{PlaceDistances, Wavefront, exact_distance, shortest_path};
 use heatwalk::propagation::propagated_distance;
 use heatwalk::{
     DistanceOptions, DistanceSolver, Element, ExactSearch, FaceId, InputVertex, Method, Place, PropagationOptions,
-    Soup, Surface, VertexData, VertexId, Windows,
+    Soup, Surface, VertexData, VertexId, Windows, go_on,
 };
 
 /// Meshes of each family.
@@ -105,7 +104,7 @@ fn any_vertex(surface: &Surface, random: &mut Random) -> VertexId {
 }
 
 fn exact_from(surface: &Arc<Surface>, source: VertexId) -> VertexData<f64> {
-    exact_distance(surface, &[source], &mut |_| ControlFlow::Continue(())).expect("a valid source")
+    exact_distance(surface, &[source], &mut go_on).expect("a valid source")
 }
 
 #[test]
@@ -138,8 +137,7 @@ fn windows_alone_are_never_below_exact_and_the_more_the_nearer() {
             // Of so small meshes, an exact search of the usual length would be all.
             let options =
                 PropagationOptions { windows, exact: ExactSearch::AtMost(1), ..PropagationOptions::default() };
-            let go_on = &mut |_| ControlFlow::Continue(());
-            let values = propagated_distance(&surface, &[source], options, go_on).expect("a valid source").values;
+            let values = propagated_distance(&surface, &[source], options, &mut go_on).expect("a valid source").values;
             for (vertex, &value) in values.enumerate() {
                 let exact = exact[vertex];
                 if value.is_infinite() != exact.is_infinite() || value < exact - SYMMETRIC * extent(&surface) {
@@ -162,7 +160,7 @@ fn paths_are_as_long_as_distances() {
         let source = any_vertex(&surface, &mut random);
         let mut solver = DistanceSolver::new(Arc::clone(&surface));
         let options = DistanceOptions::by(Method::Exact);
-        let answer = solver.distance(&[source], &options, &mut |_| ControlFlow::Continue(())).expect("a source");
+        let answer = solver.distance(&[source], &options, &mut go_on).expect("a source");
         for _ in 0..5 {
             let to = any_vertex(&surface, &mut random);
             let value = answer.distance.values[to];

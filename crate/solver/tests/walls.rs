@@ -3,31 +3,30 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::common::{nearest, random, surface};
+use crate::common::truth::Random;
+use crate::common::{nearest, surface};
 use glam::DVec3;
 use heatwalk::{
-    DistanceOptions, DistanceSolver, FaceId, HalfedgeId, InputTriangle, Method, Place, Soup, Surface, VertexData,
-    VertexId, Walls, descend,
+    DistanceOptions, DistanceSolver, Element, FaceId, HalfedgeId, InputTriangle, Method, Place, Soup, Surface,
+    VertexData, VertexId, Walls, descend, go_on,
 };
 use heatwalk_shapes::{grid, icosphere, torus};
 
 fn distances(surface: &Arc<Surface>, source: VertexId) -> VertexData<f64> {
     let mut solver = DistanceSolver::new(Arc::clone(surface));
-    let go_on = &mut |_| ControlFlow::Continue(());
-    solver.distance(&[source], &DistanceOptions::by(Method::Exact), go_on).expect("a source").distance.values
+    solver.distance(&[source], &DistanceOptions::by(Method::Exact), &mut go_on).expect("a source").distance.values
 }
 
 /// A tenth of the faces, in clusters around random ones.
-fn random_walls(surface: &Surface, seed: &mut u64) -> Walls {
+fn random_walls(surface: &Surface, random: &mut Random) -> Walls {
     let mut is_wall = vec![false; surface.face_count()];
     while is_wall.iter().filter(|&&wall| wall).count() < surface.face_count() / 10 {
-        let mut face = FaceId(random(seed, surface.face_count()) as u32);
+        let mut face = FaceId(random.below(surface.face_count()) as u32);
         for _ in 0..6 {
             is_wall[face.0 as usize] = true;
-            let side = surface.mesh().twin(face.halfedge(random(seed, 3)));
+            let side = surface.mesh().twin(face.halfedge(random.below(3)));
             if (side.0 as usize) < 3 * surface.face_count() {
                 face = side.triangle();
             }
@@ -37,9 +36,9 @@ fn random_walls(surface: &Surface, seed: &mut u64) -> Walls {
     Walls { faces, edges: Vec::new() }
 }
 
-fn open_vertex(surface: &Surface, seed: &mut u64) -> VertexId {
+fn open_vertex(surface: &Surface, random: &mut Random) -> VertexId {
     loop {
-        let vertex = VertexId(random(seed, surface.vertex_count()) as u32);
+        let vertex = VertexId::from_index(random.below(surface.vertex_count()));
         if !surface.is_in_wall(Place::Vertex(vertex)) {
             return vertex;
         }
@@ -48,11 +47,11 @@ fn open_vertex(surface: &Surface, seed: &mut u64) -> VertexId {
 
 #[test]
 fn distances_with_walls_are_those_of_the_surface_without_their_faces() {
-    let mut seed = 1;
+    let mut random = Random::new(1);
     for soup in [icosphere(3), torus(1.0, 0.4, 40, 20), grid(20, 20)] {
         let whole = surface(&soup);
         for _ in 0..3 {
-            let walls = random_walls(&whole, &mut seed);
+            let walls = random_walls(&whole, &mut random);
             let walled = Arc::new(whole.walled(&walls).expect("faces of the surface"));
             let is_open = |triangle: usize| {
                 let face = whole.face_of_triangle(InputTriangle(triangle as u32)).expect("a kept triangle");
@@ -61,7 +60,7 @@ fn distances_with_walls_are_those_of_the_surface_without_their_faces() {
             let triangles = soup.triangles.iter().enumerate().filter(|&(index, _)| is_open(index));
             let rest = Soup::single("rest", soup.positions.clone(), triangles.map(|(_, &corners)| corners).collect());
             let rest = Arc::new(surface(&rest));
-            let source = open_vertex(&walled, &mut seed);
+            let source = open_vertex(&walled, &mut random);
             let input = walled.inputs_of_vertex(source)[0];
             let expected = distances(&rest, rest.vertex_of_input(input).expect("an open vertex"));
             let found = distances(&walled, source);
@@ -79,18 +78,17 @@ fn distances_with_walls_are_those_of_the_surface_without_their_faces() {
 
 #[test]
 fn no_path_enters_a_wall() {
-    let mut seed = 2;
+    let mut random = Random::new(2);
     let whole = surface(&icosphere(3));
     let mut arrived = 0;
     for _ in 0..100 {
-        let walls = random_walls(&whole, &mut seed);
+        let walls = random_walls(&whole, &mut random);
         let walled = Arc::new(whole.walled(&walls).expect("faces of the surface"));
-        let source = open_vertex(&walled, &mut seed);
+        let source = open_vertex(&walled, &mut random);
         let mut solver = DistanceSolver::new(Arc::clone(&walled));
-        let go_on = &mut |_| ControlFlow::Continue(());
-        let answer = solver.distance(&[source], &DistanceOptions::default(), go_on).expect("a source");
+        let answer = solver.distance(&[source], &DistanceOptions::default(), &mut go_on).expect("a source");
         for _ in 0..10 {
-            let from = open_vertex(&walled, &mut seed);
+            let from = open_vertex(&walled, &mut random);
             let Ok(path) = descend(&walled, &answer.distance, from) else {
                 assert!(answer.distance.values[from].is_infinite());
                 continue;
@@ -143,7 +141,7 @@ fn a_source_in_a_wall_is_refused() {
     let walled = whole.walled(&Walls { faces: vec![FaceId(7)], edges: Vec::new() }).expect("a face");
     let inside = Place::Face { face: FaceId(7), weights: [0.2, 0.3, 0.5] };
     let error = DistanceSolver::new(walled)
-        .distance(&[inside], &DistanceOptions::default(), &mut |_| ControlFlow::Continue(()))
+        .distance(&[inside], &DistanceOptions::default(), &mut go_on)
         .expect_err("in a wall");
     assert_eq!(error.code(), "source-in-wall");
     assert!(error.to_string().contains("face 7"), "{error}");

@@ -3,12 +3,12 @@
 //! Davis, "Direct Methods for Sparse Linear Systems" (2006), chapter 3.
 
 use std::marker::PhantomData;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::error::{Error, Result};
 use crate::matrix::SymmetricMatrix;
 use crate::multifrontal::{Factorisation, Failure};
+use crate::progress::Progress;
 use crate::scalar::{Entry, Scalar};
 use crate::simd::{Work, dispatch};
 use crate::sparse_vector::SparseVector;
@@ -34,8 +34,7 @@ pub struct Factor<T = f64, E = T> {
 }
 
 impl Symbolic {
-    /// Factors matrices of the pattern, one or two side by side, which takes less time than one after another. `progress`
-    /// is told the share of the work done; `Break` ends it.
+    /// Factors matrices of the pattern, one or two side by side, which takes less time than one after another.
     ///
     /// # Errors
     /// [`Error::PatternMismatch`]; [`Error::NotPositiveDefinite`] with the row of the failing pivot;
@@ -43,7 +42,7 @@ impl Symbolic {
     pub fn factor<T: Scalar, const N: usize>(
         self: &Arc<Self>,
         matrices: [&SymmetricMatrix<T>; N],
-        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+        progress: Progress<'_>,
     ) -> Result<[Factor<T>; N]> {
         const { assert!(N == 1 || N == 2, "one matrix or two are factored at a time") };
         let has_pattern = |matrix: &SymmetricMatrix<T>| {

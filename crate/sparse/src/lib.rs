@@ -10,6 +10,7 @@ mod multifrontal;
 mod multigrid;
 mod ordering;
 mod pattern;
+mod progress;
 mod real;
 #[cfg(test)]
 mod samples;
@@ -28,6 +29,7 @@ pub use factor::Factor;
 pub use matrix::SymmetricMatrix;
 pub use ordering::Permutation;
 pub use pattern::Pattern;
+pub use progress::{Progress, Stage, go_on, report};
 pub use scalar::{Entry, Pair, Scalar};
 pub use schur::{Functional, SchurColumn, SchurComplement, evaluate};
 pub use schur_cache::SchurCache;

@@ -5,9 +5,8 @@
 //! children in the elimination tree left over for it, eliminates its own unknowns in a dense front, and leaves the
 //! Schur complement on a stack.
 
-use std::ops::ControlFlow;
-
 use crate::front::{Front, NotPositive, packed_start};
+use crate::progress::{Progress, Stage};
 use crate::scalar::Scalar;
 use crate::simd::{Work, array};
 use crate::symbolic::{Supernode, Symbolic};
@@ -30,8 +29,7 @@ pub(crate) enum Failure {
 pub(crate) struct Factorisation<'a, T, const N: usize> {
     pub(crate) symbolic: &'a Symbolic,
     pub(crate) matrices: [&'a [T]; N],
-    /// Told the share of the work done, now and then.
-    pub(crate) progress: &'a mut dyn FnMut(f64) -> ControlFlow<()>,
+    pub(crate) progress: Progress<'a>,
 }
 
 impl<T: Scalar, const N: usize> Work for Factorisation<'_, T, N> {
@@ -57,7 +55,7 @@ impl<T: Scalar, const N: usize> Work for Factorisation<'_, T, N> {
         for index in 0..symbolic.supernode_count() {
             if done > told + TELLING * whole {
                 told = done;
-                if progress(done / whole).is_break() {
+                if progress(Stage::Factoring, done / whole).is_break() {
                     return Err(Failure::Stopped);
                 }
             }

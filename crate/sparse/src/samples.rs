@@ -1,13 +1,13 @@
 //! Matrices of small meshes, for tests.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::conjugate_gradients::ConjugateGradients;
 use crate::matrix::SymmetricMatrix;
 use crate::ordering::Permutation;
 use crate::pattern::Pattern;
+use crate::progress::go_on;
 use crate::symbolic::Symbolic;
 use crate::system::System;
 
@@ -152,7 +152,7 @@ pub(crate) fn assemble<T: Copy>(size: usize, entries: &BTreeMap<[u32; 2], T>) ->
 pub(crate) fn both_systems(matrix: &SymmetricMatrix) -> [(System, f64); 2] {
     let permutation = Permutation::fill_reducing(matrix.pattern()).expect("memory");
     let symbolic = Arc::new(Symbolic::analyse(matrix.pattern(), permutation).expect("memory"));
-    let [factor] = symbolic.factor([matrix], &mut |_| ControlFlow::Continue(())).expect("positive definite");
+    let [factor] = symbolic.factor([matrix], &mut go_on).expect("positive definite");
     let iterative = ConjugateGradients::new(matrix.clone());
     [(System::cholesky(factor), 1e-12), (System::ConjugateGradients(iterative), 1e-9)]
 }

@@ -12,6 +12,7 @@ mod error;
 pub mod halfedge;
 pub mod io;
 pub mod lanes;
+mod length_rule;
 pub mod memory;
 mod merge;
 pub mod motion;

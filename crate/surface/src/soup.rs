@@ -164,6 +164,13 @@ impl Soup {
         soup
     }
 
+    /// Adds vertices, and triangles between them, which count them from 0.
+    pub fn add(&mut self, positions: impl IntoIterator<Item = DVec3>, triangles: &[[u32; 3]]) {
+        let first = self.positions.len() as u32;
+        self.positions.extend(positions);
+        self.triangles.extend(triangles.iter().map(|corners| corners.map(|corner| first + corner)));
+    }
+
     /// Makes one more part of the triangles that have come since the last one; of none, nothing.
     pub fn end_part(&mut self, name: impl Into<String>) {
         let start = self.parts.last().and_then(|part| part.ranges.last()).map_or(0, |range| range.end);

@@ -2,37 +2,25 @@
 
 #![cfg(not(target_arch = "wasm32"))]
 
+mod allocated;
+
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::iter;
-use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use heatwalk_surface::io::{self, Budget};
 use heatwalk_surface::{Error, Result, Soup};
 use miniz_oxide::deflate::{compress_to_vec, compress_to_vec_zlib};
-use peak_alloc::PeakAlloc;
 use rawzip::{CompressionMethod, ZipArchiveWriter};
 
-#[global_allocator]
-static ALLOCATOR: PeakAlloc = PeakAlloc;
+use allocated::{GROWING, alone};
 
-/// Tests that run at once would count each other's memory.
-fn alone() -> MutexGuard<'static, ()> {
-    static ALONE: Mutex<()> = Mutex::new(());
-    ALONE.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// A list that grows is in memory twice while it is copied, once half as long.
-const GROWING: f64 = 1.5;
 /// What the parsed JSON, XML or text of a file takes for each of its bytes, which is not counted.
 const PARSED: usize = 100;
 
 /// What reading gives, and the most bytes in use at once meanwhile.
 fn measured(name: &str, bytes: &[u8]) -> (Result<Soup>, usize) {
-    let before = ALLOCATOR.current_usage();
-    ALLOCATOR.reset_peak_usage();
-    let read = io::read(name, bytes, &|_| None);
-    (read, ALLOCATOR.peak_usage() - before)
+    allocated::measured(|| io::read(name, bytes, &|_| None))
 }
 
 /// Refuses the file for what it takes, within that.
@@ -261,11 +249,8 @@ fn a_library_that_is_named_in_many_ways_counts_each_time() {
     };
     let uses: String = (0..3000).map(|map| format!("usemtl {map}\nf 1 2 3\n")).collect();
     let text = format!("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n{uses}");
-    let before = ALLOCATOR.current_usage();
-    ALLOCATOR.reset_peak_usage();
-    let read = io::read("a.obj", text.as_bytes(), &resources);
+    let (read, peak) = allocated::measured(|| io::read("a.obj", text.as_bytes(), &resources));
     assert!(matches!(read, Err(Error::OverBudget { .. })), "{:?}", read.map(|soup| soup.parts.len()));
-    let peak = ALLOCATOR.peak_usage() - before;
     assert!(peak < (GROWING * f64::from(1_u32 << 31)) as usize, "{peak} bytes");
 }
 

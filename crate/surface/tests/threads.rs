@@ -6,6 +6,10 @@ use std::num::NonZeroUsize;
 use glam::DVec3;
 use heatwalk_shapes as shapes;
 use heatwalk_surface::{BridgeRule, Bridges, Element, Error, FaceId, InputTriangle, Soup, Surface};
+use rand::RngExt;
+use rand::SeedableRng;
+use rand::seq::SliceRandom;
+use rand_xoshiro::SplitMix64;
 
 const COUNTS: [usize; 3] = [2, 3, 8];
 
@@ -13,18 +17,10 @@ fn threads(count: usize) -> NonZeroUsize {
     NonZeroUsize::new(count).expect("a thread")
 }
 
-/// Numbers that look random (Knuth's MMIX generator).
-fn random(state: &mut u64, below: usize) -> usize {
-    *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    ((*state >> 33) % below as u64) as usize
-}
-
 fn shuffled(mut soup: Soup) -> Soup {
-    let (mut seed, count) = (5, soup.positions.len());
-    let mut place: Vec<u32> = (0..count as u32).collect();
-    for index in (1..count).rev() {
-        place.swap(index, random(&mut seed, index + 1));
-    }
+    let mut random = SplitMix64::seed_from_u64(5);
+    let mut place: Vec<u32> = (0..soup.positions.len() as u32).collect();
+    place.shuffle(&mut random);
     let old = soup.positions.clone();
     for (position, &new) in old.iter().zip(&place) {
         soup.positions[new as usize] = *position;
@@ -32,9 +28,7 @@ fn shuffled(mut soup: Soup) -> Soup {
     for triangle in &mut soup.triangles {
         *triangle = triangle.map(|corner| place[corner as usize]);
     }
-    for index in (1..soup.triangles.len()).rev() {
-        soup.triangles.swap(index, random(&mut seed, index + 1));
-    }
+    soup.triangles.shuffle(&mut random);
     soup
 }
 
@@ -48,11 +42,11 @@ fn unwelded(soup: &Soup) -> Soup {
 /// Every kind of damage: holes, flipped, duplicate and degenerate triangles, fins on edges, fans that touch in a vertex,
 /// vertices that nothing uses.
 fn damaged(mut soup: Soup) -> Soup {
-    let mut seed = 9;
-    soup.triangles.retain(|_| random(&mut seed, 40) > 0);
+    let mut random = SplitMix64::seed_from_u64(9);
+    soup.triangles.retain(|_| random.random_range(0..40) > 0);
     for index in 0..soup.triangles.len() {
         let triangle @ [a, b, _] = soup.triangles[index];
-        match random(&mut seed, 50) {
+        match random.random_range(0..50) {
             0 => soup.triangles[index].swap(1, 2),
             1 => soup.triangles.push(triangle),
             2 => soup.triangles.push([b, a, a]),
@@ -171,9 +165,7 @@ fn contacts_found_on_several_threads_are_the_same() {
     let mut soup = Soup::default();
     for scale in [1.0, 1.001] {
         let part = shapes::torus(2.0, 0.7, 160, 120);
-        let first = soup.positions.len() as u32;
-        soup.positions.extend(part.positions.iter().map(|&position| scale * position));
-        soup.triangles.extend(part.triangles.iter().map(|triangle| triangle.map(|vertex| first + vertex)));
+        soup.add(part.positions.iter().map(|&position| scale * position), &part.triangles);
         soup.end_part("part");
     }
     let surface = Surface::build(&soup).expect("a surface");

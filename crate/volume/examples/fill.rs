@@ -5,11 +5,10 @@
 use std::error::Error;
 use std::fs;
 use std::num::NonZeroUsize;
-use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
 
-use heatwalk::{Soup, Surface, io};
+use heatwalk::{Soup, Surface, go_on, io};
 use heatwalk_volume::fill::{Resolution, Solid};
 
 /// How many times as many tetrahedra tell the volume where triangles do not.
@@ -47,7 +46,7 @@ fn row(name: &str, soup: &Soup, count: usize) -> Result<(), Box<dyn Error>> {
         }
     };
     let estimate = solid.estimate(resolution)?;
-    let fill = |resolution| solid.fill(resolution, &mut |_| ControlFlow::Continue(()));
+    let fill = |resolution| solid.fill(resolution, &mut go_on);
     let report = fill(resolution)?.report;
     let milliseconds = start.elapsed().as_millis();
     let lost = |volume: f64| format!("{:+.2} %", 100.0 * (report.volume / volume - 1.0));

@@ -9,13 +9,13 @@ mod common;
 use std::env;
 use std::fmt::Write as _;
 use std::fs;
-use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
 
 use common::{around_cylinder, around_sphere};
 use glam::DVec3;
 use heatwalk::VertexId;
+use heatwalk::go_on;
 use heatwalk_volume::io::write;
 use heatwalk_volume::{TetMesh, TetSoup, VolumeMethod, VolumeOptions, VolumeSolver, shapes};
 
@@ -81,7 +81,7 @@ fn measure(name: &str, soup: &TetSoup, sources: &[(&str, DVec3)], exact: Exact, 
     let mut heat = VolumeSolver::new(mesh.clone());
     let by_heat = VolumeOptions::by(VolumeMethod::Heat);
     let start = Instant::now();
-    heat.prepare(&by_heat, &mut |_, _| ControlFlow::Continue(())).expect("a generated mesh");
+    heat.prepare(&by_heat, &mut go_on).expect("a generated mesh");
     let precompute = milliseconds(start);
     for &(place, near) in sources {
         let nearest = |a: &usize, b: &usize| {

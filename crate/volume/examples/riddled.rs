@@ -10,10 +10,11 @@ mod common;
 use std::env;
 use std::time::Instant;
 
-use common::Random;
 use common::riddled::{along_edges, riddled};
 use heatwalk::VertexId;
 use heatwalk_volume::{TetMesh, VolumeMethod, VolumeOptions, VolumeSolver};
+use rand::SeedableRng;
+use rand_xoshiro::SplitMix64;
 
 const PAIRS: usize = 100_000;
 
@@ -44,7 +45,7 @@ fn main() {
 }
 
 fn measure(method: VolumeMethod, most: usize, points: &[usize], shares: &[f64]) {
-    let mut random = Random::new(37);
+    let mut random = SplitMix64::seed_from_u64(37);
     let (mut pairs, mut above, mut below, mut wide) = (0, 0, 0, 0);
     let (mut sum, mut largest, mut ms, mut sources) = (0.0, 0.0_f64, 0.0, 0);
     let mut meshes = 0;

@@ -7,6 +7,8 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use glam::DVec3;
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
 
 use crate::distance::VolumeDistance;
 use crate::error::{Error, Result};
@@ -14,7 +16,6 @@ use crate::measured::Measured;
 use crate::mesh::{TetId, TetMesh, six_volumes};
 use crate::path::VolumePath;
 use crate::point::TetPoint;
-use crate::random::random;
 use crate::solver::VolumeSolver;
 
 /// Paths that are found in one step, at most: a frame has time for some.
@@ -96,13 +97,20 @@ pub struct VolumeCrowd {
     goal: Option<Goal>,
     /// The walker that is first asked whether it needs a path, so that each has its turn.
     turn: usize,
-    random: u64,
+    random: SplitMix64,
 }
 
 impl VolumeCrowd {
     /// A crowd of `count` walkers. With the same `seed` they start at the same places.
     pub fn new(mesh: impl Into<Arc<TetMesh>>, count: usize, seed: u64) -> Self {
-        Self { mesh: mesh.into(), count, walkers: Vec::new(), goal: None, turn: 0, random: seed }
+        Self {
+            mesh: mesh.into(),
+            count,
+            walkers: Vec::new(),
+            goal: None,
+            turn: 0,
+            random: SplitMix64::seed_from_u64(seed),
+        }
     }
 
     /// Changes the number of walkers. The first ones go on; more come with the next [`advance`](Self::advance).
@@ -196,14 +204,14 @@ impl Goal {
     }
 
     /// Someone at a random place, by volume, who faces where distance falls; none where no tetrahedron has a path from everywhere.
-    fn start(&mut self, mesh: &TetMesh, state: &mut u64) -> Option<Walker> {
+    fn start(&mut self, mesh: &TetMesh, random: &mut SplitMix64) -> Option<Walker> {
         let volumes = self.volumes.get_or_insert_with(|| reached_volumes(&self.measured, &self.distance));
         let total = volumes.last().copied().filter(|&total| total > 0.0)?;
-        let wanted = random(state) * total;
+        let wanted = random.random::<f64>() * total;
         // The product may round to the total; the tetrahedron that completes it has a volume, the last one need not count.
         let tetrahedron = volumes.partition_point(|&volume| volume <= wanted && volume < total) as u32;
         // Spacings of random numbers are spread evenly over a simplex.
-        let mut cuts = [0; 3].map(|_| random(state));
+        let mut cuts: [f64; 3] = random.random();
         cuts.sort_unstable_by(f64::total_cmp);
         let weights = [cuts[0], cuts[1] - cuts[0], cuts[2] - cuts[1], 1.0 - cuts[2]];
         let position = TetPoint::Inside { tetrahedron: TetId(tetrahedron), weights }.position(mesh);
@@ -212,8 +220,8 @@ impl Goal {
     }
 
     /// The same walker elsewhere, where there is such a place.
-    fn restart(&mut self, mesh: &TetMesh, walker: &mut Walker, state: &mut u64) {
-        if let Some(other) = self.start(mesh, state) {
+    fn restart(&mut self, mesh: &TetMesh, walker: &mut Walker, random: &mut SplitMix64) {
+        if let Some(other) = self.start(mesh, random) {
             *walker = other;
         }
     }

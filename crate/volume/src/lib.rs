@@ -38,7 +38,6 @@ mod measured;
 pub mod mesh;
 pub mod path;
 mod point;
-mod random;
 pub mod section;
 pub mod shapes;
 mod solver;

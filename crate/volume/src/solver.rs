@@ -3,11 +3,11 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use heatwalk::{Parameters, Progress};
+use heatwalk::{Parameters, Progress, go_on};
 
 use crate::distance::{VolumeDistance, VolumeMethod};
 use crate::error::{Error, Result};
-use crate::heat::{self, VolumeHeat, go_on};
+use crate::heat::{self, VolumeHeat};
 use crate::march::March;
 use crate::measured::Measured;
 use crate::mesh::TetMesh;

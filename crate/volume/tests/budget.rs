@@ -2,27 +2,17 @@
 
 #![cfg(not(target_arch = "wasm32"))]
 
-use std::sync::Mutex;
+#[path = "../../surface/tests/allocated.rs"]
+mod allocated;
 
 use heatwalk::io::Budget;
 use heatwalk::surface::Error as FileError;
 use heatwalk_volume::io::{self, Error, Result, TetFile};
-use peak_alloc::PeakAlloc;
 
-#[global_allocator]
-static ALLOCATOR: PeakAlloc = PeakAlloc;
-
-/// Tests that run at once would count each other's memory.
-static ALONE: Mutex<()> = Mutex::new(());
-
-/// A list that grows is in memory twice while it is copied, once half as long.
-const GROWING: f64 = 1.5;
+use allocated::{GROWING, alone};
 
 fn measured(name: &str, bytes: &[u8]) -> (Result<TetFile>, usize) {
-    let before = ALLOCATOR.current_usage();
-    ALLOCATOR.reset_peak_usage();
-    let read = io::read(name, bytes, &|_| None);
-    (read, ALLOCATOR.peak_usage() - before)
+    allocated::measured(|| io::read(name, bytes, &|_| None))
 }
 
 fn ints(numbers: &[i32]) -> Vec<u8> {
@@ -31,7 +21,7 @@ fn ints(numbers: &[i32]) -> Vec<u8> {
 
 #[test]
 fn sections_of_medit_may_not_overlap() {
-    let _alone = ALONE.lock().expect("no test has failed");
+    let _alone = alone();
     // Each of many sections of tetrahedra begins a few bytes after the one before and has all that follows.
     const SECTIONS: i32 = 2000;
     let mut bytes = ints(&[1, 2]);
@@ -47,7 +37,7 @@ fn sections_of_medit_may_not_overlap() {
 
 #[test]
 fn arrays_that_share_their_bytes_count_each() {
-    let _alone = ALONE.lock().expect("no test has failed");
+    let _alone = alone();
     const POINTS: usize = 30_000;
     let arrays: String = (0..2000)
         .map(|name| format!("<DataArray type=\"UInt8\" Name=\"{name}\" format=\"appended\" offset=\"0\"/>"))
@@ -66,7 +56,7 @@ fn arrays_that_share_their_bytes_count_each() {
 
 #[test]
 fn counts_without_anything_behind_them_take_nothing() {
-    let _alone = ALONE.lock().expect("no test has failed");
+    let _alone = alone();
     let huge = 1_u64 << 62;
     let binary = [&ints(&[1, 4, 4])[..], &0_u64.to_le_bytes(), &huge.to_le_bytes(), &[0; 32]].concat();
     for (name, bytes) in [

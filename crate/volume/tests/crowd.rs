@@ -5,7 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::sync::Arc;
 
-use crate::common::{mesh, nearest};
+use crate::common::{mesh, nearest, two_of};
 use glam::DVec3;
 use heatwalk::VertexId;
 use heatwalk_volume::crowd::{VolumeCrowd, VolumePose};
@@ -160,11 +160,7 @@ fn a_new_distance_turns_walkers_where_they_are() {
 
 #[test]
 fn nobody_starts_where_no_source_is_reached() {
-    let mut soup = shapes::cube(2, 0.0);
-    let count = soup.positions.len() as u32;
-    let apart = shapes::cube(2, 0.0);
-    soup.positions.extend(apart.positions.iter().map(|&position| position + 3.0 * DVec3::X));
-    soup.tetrahedra.extend(apart.tetrahedra.iter().map(|corners| corners.map(|corner| corner + count)));
+    let soup = two_of(shapes::cube(2, 0.0));
     let wall = |place: DVec3| if place.y > 0.0 { f64::INFINITY } else { 1.0 };
     let (mut solver, mut crowd) = crowd(&soup, Some(&wall), DVec3::splat(-1.0));
     for _ in 0..50 {

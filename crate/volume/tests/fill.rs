@@ -9,7 +9,7 @@ use std::num::NonZeroUsize;
 use std::ops::ControlFlow;
 
 use glam::{DMat3, DVec3, EulerRot};
-use heatwalk::{Soup, Surface};
+use heatwalk::{Soup, Surface, go_on};
 use heatwalk_shapes as shapes;
 use heatwalk_volume::TetSoup;
 use heatwalk_volume::fill::{Error, Filled, Resolution, Result, Solid};
@@ -21,7 +21,7 @@ fn solid(soup: &Soup) -> Result<Solid> {
 }
 
 fn fill(soup: &Soup, cells: f64) -> Filled {
-    solid(soup).unwrap().fill(Resolution::Cells(cells), &mut |_| ControlFlow::Continue(())).unwrap()
+    solid(soup).unwrap().fill(Resolution::Cells(cells), &mut go_on).unwrap()
 }
 
 fn volume(soup: &TetSoup) -> f64 {
@@ -45,9 +45,7 @@ fn cuboid(low: [f64; 3], high: [f64; 3]) -> Soup {
 fn joined(soups: &[Soup]) -> Soup {
     let mut all = Soup::default();
     for soup in soups {
-        let first = all.positions.len() as u32;
-        all.positions.extend(&soup.positions);
-        all.triangles.extend(soup.triangles.iter().map(|triangle| triangle.map(|corner| first + corner)));
+        all.add(soup.positions.iter().copied(), &soup.triangles);
         all.end_part("part");
     }
     all
@@ -89,7 +87,7 @@ fn closed_shapes_fill_within_their_bounds() {
         let solid = solid(&soup).unwrap();
         let resolution = Resolution::Tetrahedra(20_000);
         let estimate = solid.estimate(resolution).unwrap();
-        let Filled { soup, report } = solid.fill(resolution, &mut |_| ControlFlow::Continue(())).unwrap();
+        let Filled { soup, report } = solid.fill(resolution, &mut go_on).unwrap();
         assert_conforming(&soup);
         assert_eq!((soup.tetrahedra.len(), soup.positions.len()), (report.tetrahedra, report.vertices));
         let [least, greatest] = report.dihedral_angles;
@@ -231,14 +229,13 @@ fn what_cannot_be_filled_says_why() {
         assert!(error.to_string().contains("edges around vertex"), "{error}");
     }
     let sphere = solid(&shapes::icosphere(2)).unwrap();
-    let go_on = &mut |_: f64| ControlFlow::Continue(());
     for cells in [0.0, -1.0, 0.5, 2000.0, f64::NAN, f64::INFINITY] {
-        assert_eq!(sphere.fill(Resolution::Cells(cells), go_on).unwrap_err().code(), "bad-parameter");
+        assert_eq!(sphere.fill(Resolution::Cells(cells), &mut go_on).unwrap_err().code(), "bad-parameter");
     }
     assert_eq!(sphere.estimate(Resolution::Tetrahedra(0)).unwrap_err().code(), "bad-parameter");
     // No lattice point comes to lie between these planes.
     let plate = solid(&cuboid([0.0, 0.0, 0.49], [1.0, 1.0, 0.491])).unwrap();
-    let error = plate.fill(Resolution::Cells(3.0), go_on).unwrap_err();
+    let error = plate.fill(Resolution::Cells(3.0), &mut go_on).unwrap_err();
     assert_eq!(error, Error::TooCoarse { cells: 3.0 });
 }
 
@@ -246,7 +243,7 @@ fn what_cannot_be_filled_says_why() {
 fn it_can_be_cancelled_and_tells_how_far_it_is() {
     let solid = solid(&shapes::icosphere(3)).unwrap();
     let mut shares = Vec::new();
-    let mut record = |share: f64| {
+    let mut record = |_, share: f64| {
         shares.push(share);
         ControlFlow::Continue(())
     };
@@ -254,7 +251,7 @@ fn it_can_be_cancelled_and_tells_how_far_it_is() {
     assert!(shares.len() > 5 && shares.is_sorted() && shares[shares.len() - 1] < 1.0, "{shares:?}");
     for stop in 0..shares.len() {
         let mut calls = 0;
-        let mut until = |_| {
+        let mut until = |_, _| {
             calls += 1;
             if calls > stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
@@ -270,7 +267,7 @@ fn it_is_the_same_on_any_number_of_threads() {
     let surface = Surface::build(&soup).unwrap();
     let on = |threads: usize| {
         let solid = Solid::new(&soup, &surface, NonZeroUsize::new(threads).unwrap()).unwrap();
-        solid.fill(Resolution::Cells(50.0), &mut |_| ControlFlow::Continue(())).unwrap()
+        solid.fill(Resolution::Cells(50.0), &mut go_on).unwrap()
     };
     let one = on(1);
     assert_eq!(one, on(2));

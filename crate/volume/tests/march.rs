@@ -5,10 +5,12 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::sync::Arc;
 
-use crate::common::{Random, around_cylinder, around_sphere, errors, mesh, nearest, truth};
+use crate::common::{around_cylinder, around_sphere, errors, mesh, nearest, truth, two_of};
 use glam::DVec3;
 use heatwalk::VertexId;
 use heatwalk_volume::{Error, TetId, TetMesh, TetPoint, TetSoup, TetSource, VolumeOptions, VolumeSolver, shapes};
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
 
 /// Rounding of a straight line's length, and of walks along it.
 const ROUNDING: f64 = 1e-12;
@@ -191,9 +193,9 @@ fn paths_into_a_dearer_medium_refract() {
 fn walls_are_as_if_their_tetrahedra_were_not_there() {
     let soup = shapes::cube(6, 0.2);
     let whole = Arc::new(mesh(&soup));
-    let mut random = Random::new(5);
+    let mut random = SplitMix64::seed_from_u64(5);
     for _ in 0..20 {
-        let (center, radius) = (DVec3::from_array([0; 3].map(|_| random.share() - 0.5)), 0.3 + 0.4 * random.share());
+        let (center, radius) = (DVec3::from_array(random.random()) - 0.5, 0.3 + 0.4 * random.random::<f64>());
         let is_wall = |tetrahedron: usize| {
             let corners = whole.corners(TetId(tetrahedron as u32));
             (corners.iter().sum::<DVec3>() / 4.0).distance(center) < radius
@@ -219,14 +221,10 @@ fn walls_are_as_if_their_tetrahedra_were_not_there() {
 
 #[test]
 fn what_no_source_reaches_is_at_infinity() {
-    let mut soup = shapes::ball(2, 0.0);
-    let count = soup.positions.len() as u32;
-    let apart = shapes::ball(2, 0.0);
-    soup.positions.extend(apart.positions.iter().map(|&position| position + 3.0 * DVec3::X));
-    soup.tetrahedra.extend(apart.tetrahedra.iter().map(|corners| corners.map(|corner| corner + count)));
+    let soup = two_of(shapes::ball(2, 0.0));
     let mut solver = VolumeSolver::new(mesh(&soup));
     let answer = solver.distance(&[VertexId(0)], &VolumeOptions::default()).unwrap();
-    assert_eq!(answer.unreachable(), count as usize);
+    assert_eq!(answer.unreachable(), soup.positions.len() / 2);
     assert!(answer.max() <= 2.0 + ROUNDING);
 }
 

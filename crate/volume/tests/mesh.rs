@@ -3,10 +3,12 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use crate::common::{Random, mesh};
+use crate::common::mesh;
 use glam::DVec3;
 use heatwalk::VertexId;
 use heatwalk_volume::{Error, TetId, TetMesh, TetPoint, TetSoup, shapes};
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
 
 /// Two tetrahedra on both sides of a triangle.
 fn pair() -> TetSoup {
@@ -93,10 +95,10 @@ fn scale_and_place_do_not_change_what_is_flat() {
 #[test]
 fn places_inside_are_found_with_their_weights() {
     let mesh = mesh(&shapes::pierced_cube(0.4, 2, 0.1));
-    let mut random = Random::new(3);
+    let mut random = SplitMix64::seed_from_u64(3);
     for _ in 0..100 {
-        let tetrahedron = TetId(random.below(mesh.tetrahedron_count()) as u32);
-        let shares = [0; 4].map(|_| random.share());
+        let tetrahedron = TetId(random.random_range(0..mesh.tetrahedron_count()) as u32);
+        let shares: [f64; 4] = random.random();
         let sum: f64 = shares.iter().sum();
         let place = TetPoint::Inside { tetrahedron, weights: shares.map(|share| share / sum) };
         let position = place.position(&mesh);
@@ -147,7 +149,7 @@ fn first_around(mesh: &TetMesh, place: DVec3) -> Option<TetId> {
 
 #[test]
 fn places_are_found_in_the_first_tetrahedron_that_has_them() {
-    let mut random = Random::new(12);
+    let mut random = SplitMix64::seed_from_u64(12);
     for soup in [pair(), shapes::cube(5, 0.2), shapes::cube(4, 0.0), shapes::cave(0.5, 2, 0.1)] {
         let mesh = mesh(&soup);
         let (low, high) = mesh.bounds();
@@ -157,7 +159,7 @@ fn places_are_found_in_the_first_tetrahedron_that_has_them() {
             places.extend([(a + b) / 2.0, (a + b + c) / 3.0]);
         }
         places.extend((0..1000).map(|_| {
-            let shares = DVec3::from_array([0; 3].map(|_| 1.2 * random.share() - 0.1));
+            let shares = 1.2 * DVec3::from_array(random.random()) - 0.1;
             low + shares * (high - low)
         }));
         places.extend([DVec3::NAN, DVec3::INFINITY, DVec3::splat(1e300)]);

@@ -5,17 +5,19 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::sync::Arc;
 
-use crate::common::{Random, around_sphere, mesh};
+use crate::common::{around_sphere, mesh};
 use glam::DVec3;
 use heatwalk_volume::{Error, TetId, TetMesh, TetPoint, VolumeMethod, VolumeOptions, VolumeSolver, shapes};
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
 
-fn place(mesh: &TetMesh, random: &mut Random) -> TetPoint {
-    if random.share() < 0.5 {
-        return TetPoint::Vertex(heatwalk::VertexId(random.below(mesh.vertex_count()) as u32));
+fn place(mesh: &TetMesh, random: &mut SplitMix64) -> TetPoint {
+    if random.random::<f64>() < 0.5 {
+        return TetPoint::Vertex(heatwalk::VertexId(random.random_range(0..mesh.vertex_count()) as u32));
     }
-    let shares = [0; 4].map(|_| random.share());
+    let shares: [f64; 4] = random.random();
     let sum: f64 = shares.iter().sum();
-    let tetrahedron = TetId(random.below(mesh.tetrahedron_count()) as u32);
+    let tetrahedron = TetId(random.random_range(0..mesh.tetrahedron_count()) as u32);
     TetPoint::Inside { tetrahedron, weights: shares.map(|share| share / sum) }
 }
 
@@ -30,7 +32,7 @@ fn check(method: VolumeMethod, [at_vertex, inside]: [f64; 2]) {
     ] {
         let mut solver = VolumeSolver::new(mesh(&soup));
         let mesh = Arc::clone(solver.mesh());
-        let mut random = Random::new(11);
+        let mut random = SplitMix64::seed_from_u64(11);
         for _ in 0..20 {
             let to = place(&mesh, &mut random);
             let distance = solver.distance(&[to], &VolumeOptions::by(method)).unwrap();
@@ -75,8 +77,8 @@ fn paths_down_heat_are_pulled_taut() {
 fn paths_around_a_sphere_are_little_longer_than_exact() {
     let mut solver = VolumeSolver::new(mesh(&shapes::cave(0.5, 5, 0.15)));
     let mesh = Arc::clone(solver.mesh());
-    let mut random = Random::new(5);
-    let mut vertex = || heatwalk::VertexId(random.below(mesh.vertex_count()) as u32);
+    let mut random = SplitMix64::seed_from_u64(5);
+    let mut vertex = || heatwalk::VertexId(random.random_range(0..mesh.vertex_count()) as u32);
     let mut excesses = Vec::new();
     for _ in 0..10 {
         let to = vertex();

@@ -5,20 +5,21 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::sync::Arc;
 
-use crate::common::Random;
 use crate::common::riddled::{along_edges, riddled};
 use glam::DVec3;
 use heatwalk::VertexId;
 use heatwalk_volume::{
     Error, TetId, TetMesh, TetPoint, TetSoup, TetSource, VolumeCrowd, VolumeMethod, VolumeOptions, VolumeSolver,
 };
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
 
 /// Rounding of sums of lengths.
 const ROUNDING: f64 = 1e-12;
 
 /// Some of each kind: of few and of many points, little and half of it taken out.
 fn solvers() -> impl Iterator<Item = VolumeSolver> {
-    let mut random = Random::new(5);
+    let mut random = SplitMix64::seed_from_u64(5);
     let kinds = [(8, 0.1), (10, 0.3), (15, 0.5), (20, 0.2), (30, 0.4), (40, 0.1), (50, 0.5), (60, 0.3)];
     kinds
         .into_iter()
@@ -63,7 +64,7 @@ fn marched_distances_there_and_back_differ_by_a_hundredth_at_most() {
 
 #[test]
 fn in_larger_meshes_distances_there_and_back_differ_by_a_hundredth_at_most() {
-    let mut random = Random::new(9);
+    let mut random = SplitMix64::seed_from_u64(9);
     for (points, share) in [(300, 0.05), (400, 0.3), (500, 0.5)] {
         let mut solver = VolumeSolver::new(TetMesh::build(&riddled(points, share, &mut random)).unwrap());
         let count = solver.mesh().vertex_count() as u32;
@@ -112,7 +113,7 @@ fn with_crack(TetSoup { mut positions, mut tetrahedra }: TetSoup, width: f64) ->
 
 #[test]
 fn nothing_is_seen_through_cracks_of_no_width() {
-    let mut random = Random::new(21);
+    let mut random = SplitMix64::seed_from_u64(21);
     for (points, share) in [(40, 0.0), (60, 0.1), (200, 0.0), (200, 0.1)] {
         let soup = riddled(points, share, &mut random);
         // Wide enough for two sides not to be at one place.
@@ -141,7 +142,7 @@ fn nothing_is_seen_through_cracks_of_no_width() {
 
 #[test]
 fn the_distance_at_a_place_is_that_from_there() {
-    let mut random = Random::new(17);
+    let mut random = SplitMix64::seed_from_u64(17);
     for mut solver in solvers() {
         let mesh = Arc::clone(solver.mesh());
         for _ in 0..10 {
@@ -159,19 +160,20 @@ fn the_distance_at_a_place_is_that_from_there() {
 }
 
 /// A place at random.
-fn inside(mesh: &TetMesh, random: &mut Random) -> TetPoint {
-    let shares = [0; 4].map(|_| random.share());
+fn inside(mesh: &TetMesh, random: &mut SplitMix64) -> TetPoint {
+    let shares: [f64; 4] = random.random();
     let sum: f64 = shares.iter().sum();
-    let tetrahedron = TetId(random.below(mesh.tetrahedron_count()) as u32);
+    let tetrahedron = TetId(random.random_range(0..mesh.tetrahedron_count()) as u32);
     TetPoint::Inside { tetrahedron, weights: shares.map(|share| share / sum) }
 }
 
 #[test]
 fn marched_paths_are_as_long_as_the_distance_also_from_inside() {
-    let mut random = Random::new(11);
+    let mut random = SplitMix64::seed_from_u64(11);
     for mut solver in solvers() {
         let mesh = Arc::clone(solver.mesh());
-        let vertex = |random: &mut Random| TetPoint::Vertex(VertexId(random.below(mesh.vertex_count()) as u32));
+        let vertex =
+            |random: &mut SplitMix64| TetPoint::Vertex(VertexId(random.random_range(0..mesh.vertex_count()) as u32));
         for to in [inside(&mesh, &mut random), vertex(&mut random)] {
             let distance = solver.distance(&[to], &VolumeOptions::default()).unwrap();
             assert_eq!(solver.at(&distance, to).unwrap(), 0.0);
@@ -208,7 +210,7 @@ fn two_places_in_one_tetrahedron_are_as_far_apart_as_the_straight_line() {
 
 #[test]
 fn answers_do_not_depend_on_the_size_of_the_mesh() {
-    let soup = riddled(20, 0.3, &mut Random::new(3));
+    let soup = riddled(20, 0.3, &mut SplitMix64::seed_from_u64(3));
     let scaled = |size: f64| {
         let positions: Vec<DVec3> = soup.positions.iter().map(|&place| size * place).collect();
         TetMesh::build(&TetSoup { positions, tetrahedra: soup.tetrahedra.clone() })
@@ -229,7 +231,7 @@ fn answers_do_not_depend_on_the_size_of_the_mesh() {
 
 #[test]
 fn places_and_paths_in_meshes_of_extreme_sizes_are_those_of_ordinary_ones() {
-    let soup = riddled(20, 0.1, &mut Random::new(3));
+    let soup = riddled(20, 0.1, &mut SplitMix64::seed_from_u64(3));
     let weights = [0.1, 0.2, 0.3, 0.4];
     let [from, to] = [0, 30].map(|tetrahedron| TetPoint::Inside { tetrahedron: TetId(tetrahedron), weights });
     let answers = |size: f64| {

@@ -9,10 +9,12 @@ use std::collections::HashMap;
 use std::f64::consts::{PI, SQRT_2};
 use std::sync::Arc;
 
-use crate::common::{Random, mesh};
+use crate::common::mesh;
 use glam::DVec3;
 use heatwalk_volume::section::{Cut, Faces, Plane, Section, Shells};
 use heatwalk_volume::{Error, TetMesh, TetPoint, VolumeDistance, VolumeOptions, VolumeSolver, shapes};
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
 
 /// Sums of a few thousand areas and volumes of size 1, computed in 53 bits.
 const ROUNDING: f64 = 1e-11;
@@ -23,12 +25,12 @@ fn plane(normal: DVec3, offset: f64) -> Plane {
     Plane { normal, offset }
 }
 
-fn random_plane(random: &mut Random) -> Plane {
+fn random_plane(random: &mut SplitMix64) -> Plane {
     loop {
-        let direction = DVec3::from_array([0; 3].map(|_| 2.0 * random.share() - 1.0));
+        let direction = 2.0 * DVec3::from_array(random.random()) - 1.0;
         // The closed form for a cube divides by the normal's coordinates.
         if direction.abs().min_element() > 0.05 {
-            return Plane::through(DVec3::from_array([0; 3].map(|_| random.share() - 0.5)), direction).unwrap();
+            return Plane::through(DVec3::from_array(random.random()) - 0.5, direction).unwrap();
         }
     }
 }
@@ -131,7 +133,7 @@ fn check_section(mesh: &TetMesh, section: &Section) {
 
 #[test]
 fn a_cap_has_the_area_of_the_cross_section_and_closes_what_stays() {
-    let mut random = Random::new(3);
+    let mut random = SplitMix64::seed_from_u64(3);
     let meshes = [mesh(&shapes::cube(5, 0.2)), mesh(&shapes::cube(8, 0.0))];
     for _ in 0..50 {
         let plane = random_plane(&mut random);
@@ -188,7 +190,7 @@ fn caps_of_a_ball_are_discs() {
 
 #[test]
 fn caps_of_a_wedge_meet_at_its_edge() {
-    let mut random = Random::new(4);
+    let mut random = SplitMix64::seed_from_u64(4);
     let meshes = [mesh(&shapes::cube(5, 0.2)), mesh(&shapes::cube(4, 0.0))];
     let axes = [plane(DVec3::X, 0.0), plane(DVec3::Z, 0.5)];
     let random = std::iter::from_fn(|| Some([random_plane(&mut random), random_plane(&mut random)]));
@@ -347,7 +349,7 @@ fn shells_have_every_level_in_one_answer() {
 fn shells_are_clipped_at_the_planes_of_a_cut() {
     let (mesh, distance) = from_middle(10, 0.2);
     let whole = shell_triangles(&Shells::of(&mesh, &distance, &[0.8], &Cut::Whole).unwrap());
-    let mut random = Random::new(8);
+    let mut random = SplitMix64::seed_from_u64(8);
     for _ in 0..30 {
         let planes = [random_plane(&mut random), random_plane(&mut random)];
         let cut = Cut::Plane(planes[0]);

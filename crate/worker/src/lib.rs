@@ -21,8 +21,8 @@ use std::sync::Arc;
 use glam::DVec3;
 use heatwalk::surface::soup::{Attribute, Part};
 use heatwalk::surface::{Camera, Light};
-use heatwalk::{Appearance, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up};
-use heatwalk_bindings::{Failure, Result};
+use heatwalk::{Appearance, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up, go_on};
+use heatwalk_bindings::{Failure, Result, reporter};
 use heatwalk_scene::{DrawTransform, Posing, light_rows, upright};
 use heatwalk_shapes::icosphere;
 use js_sys::{Float64Array, Function, Object, Uint32Array};
@@ -34,7 +34,7 @@ use crate::drawn::Drawn;
 use crate::motion::{Clip, Scenery};
 use crate::outline::Outline;
 use crate::results::{BuildReport, DrawMesh, Shade, Warning};
-use crate::solver::{Solver, go_on, reporter};
+use crate::solver::Solver;
 
 /// The types of arguments that have no type in Rust: names and options are those of the generated contract.
 #[wasm_bindgen(typescript_custom_section)]

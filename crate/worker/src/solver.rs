@@ -8,14 +8,13 @@ mod tracks;
 mod values;
 
 use std::num::NonZeroU16;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use heatwalk::{
-    DistanceOptions, DistanceSolver, EdgeKind, FaceField, HeatSolver, Method, Parameters, Path, PathSearch, Step,
-    Surface, Windows,
+    DistanceOptions, DistanceSolver, EdgeKind, FaceField, HeatSolver, Method, Parameters, Path, PathSearch, Progress,
+    Surface, Windows, go_on,
 };
-use heatwalk_bindings::{Failure, Result, logarithms, parameters};
+use heatwalk_bindings::{Failure, Result, logarithms, parameters, reporter};
 use heatwalk_scene::{Crowd, Posing, overlay};
 use js_sys::{Array, Function, Object};
 use wasm_bindgen::prelude::*;
@@ -58,7 +57,7 @@ impl Solver {
         drawn: &Arc<Drawn>,
         posing: Option<Posing>,
         heat: Option<Parameters>,
-        progress: &mut dyn FnMut(Step) -> ControlFlow<()>,
+        progress: Progress<'_>,
     ) -> Result<Self> {
         let mut solver = DistanceSolver::new(Arc::clone(surface));
         solver.prepare(&heat.map_or(DistanceOptions::default(), by_heat), progress)?;
@@ -338,18 +337,4 @@ impl Solver {
 
 fn by_heat(heat: Parameters) -> DistanceOptions {
     DistanceOptions { heat, ..DistanceOptions::by(Method::Heat) }
-}
-
-/// Questions are stopped with the worker.
-pub(crate) fn go_on(_: Step) -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
-
-/// Passes the stages of factoring on to the page.
-pub(crate) fn reporter(progress: &Function) -> impl FnMut(Step) -> ControlFlow<()> {
-    let mut report = heatwalk_bindings::reporter(progress);
-    move |step| match step {
-        Step::Precompute(stage, fraction) => report(stage, fraction),
-        _ => ControlFlow::Continue(()),
-    }
 }

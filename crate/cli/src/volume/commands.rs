@@ -1,11 +1,11 @@
 //! `heatwalk info` and `path` on tetrahedra.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::{Result, bail};
 use heatwalk::MultiSource;
+use heatwalk::go_on;
 use heatwalk_volume::{MeshReport, TetMesh, VolumeOptions, VolumeSolver};
 use serde_json::json;
 
@@ -71,7 +71,7 @@ pub fn path(arguments: &Path, input: &Input) -> Result<String> {
     let path = solver.path(&answer, from)?;
     let path_ms = milliseconds(start);
     if let Some(output) = output {
-        output.write(path.points.iter().copied(), arguments.up)?;
+        output.write(path.points.iter().copied(), arguments.axis.up)?;
     }
     said.push("method", answer.method.name());
     said.push("factor_nonzeros", solver.factor_nonzeros());
@@ -103,7 +103,7 @@ pub fn prepare(mesh: &Arc<TetMesh>, costs: Option<&[f64]>, options: &VolumeOptio
         Some(costs) => VolumeSolver::with_costs(Arc::clone(mesh), costs)?,
         None => VolumeSolver::new(Arc::clone(mesh)),
     };
-    solver.prepare(options, &mut |_, _| ControlFlow::Continue(()))?;
+    solver.prepare(options, &mut go_on)?;
     Ok((solver, milliseconds(start)))
 }
 

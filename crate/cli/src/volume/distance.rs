@@ -54,7 +54,7 @@ fn options(arguments: &Distance) -> Result<VolumeOptions> {
         ("--windows", question.methods.windows.is_some()),
         ("--operator", question.options.operator.is_some()),
         ("--repeat", arguments.repeat > 1),
-        ("--up", arguments.up != Up::default()),
+        ("--up", arguments.axis.up != Up::default()),
     ])?;
     let heat = question.options.given().or(question.linear.given()).or(question.multi.map(|_| "--multi"));
     let method = question.methods.chosen_inside(heat)?;

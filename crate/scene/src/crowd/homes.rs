@@ -8,8 +8,8 @@ use heatwalk::PortalCrossing;
 use heatwalk::Surface;
 use heatwalk::surface::csr::Csr;
 use heatwalk::surface::parallel;
+use rand::RngExt;
 use rand_xoshiro::SplitMix64;
-use rand_xoshiro::rand_core::Rng;
 
 /// A place in the list of arrivals.
 #[derive(Debug, Clone, Copy, bytemuck::Zeroable)]
@@ -109,18 +109,12 @@ impl Homes {
     /// A random point, by area, that a source can be reached from: its face and barycentric weights.
     pub fn random_place(&self, random: &mut SplitMix64) -> (FaceId, [f64; 3]) {
         let total = self.areas.last().copied().unwrap_or(0.0);
-        let wanted = share(random) * total;
+        let wanted = random.random::<f64>() * total;
         // The product may round to the total; the face that completes it has an area, the last face need not have one.
         let face = self.areas.partition_point(|&area| area <= wanted && area < total);
-        let [a, b] = [(); 2].map(|()| share(random));
+        let [a, b] = random.random::<[f64; 2]>();
         // The other half of the parallelogram is turned onto the triangle.
         let [a, b] = if a + b > 1.0 { [1.0 - a, 1.0 - b] } else { [a, b] };
         (FaceId(face as u32), [1.0 - a - b, a, b])
     }
-}
-
-/// The next number as a share, 0 to below 1.
-fn share(random: &mut SplitMix64) -> f64 {
-    // As many bits as a share has: 53.
-    (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
 }

@@ -19,8 +19,8 @@ use heatwalk::Surface;
 use heatwalk::VertexData;
 use heatwalk::surface::triangle;
 use heatwalk::{Error, Result};
+use rand::SeedableRng;
 use rand_xoshiro::SplitMix64;
-use rand_xoshiro::rand_core::SeedableRng;
 
 use crate::transform::DrawTransform;
 

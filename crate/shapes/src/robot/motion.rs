@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::{DQuat, DVec3, EulerRot};
 use heatwalk_surface::Motion;
 use heatwalk_surface::motion::{
-    Channel, Clip, Deformer, Hierarchy, Influences, Interpolation, Node, Placement, Target, Track,
+    Channel, Clip, Deformer, Influences, Interpolation, Node, NodeTree, Placement, Target, Track,
 };
 
 /// What parts are fixed to.
@@ -79,7 +79,7 @@ pub fn joint_motion(positions: &[DVec3], fixed: Vec<(Joint, Range<usize>)>) -> M
         parent: joint.parent().map(Joint::index),
         placement: Placement::Parts { translation: joint.in_parent(), rotation: DQuat::IDENTITY, scale: DVec3::ONE },
     };
-    let hierarchy = Hierarchy::new(Joint::all().map(node).collect()).expect("joints form trees");
+    let hierarchy = NodeTree::new(Joint::all().map(node).collect()).expect("joints form trees");
     let deformer = |(joint, vertices): (Joint, Range<usize>)| Deformer {
         node: joint.index(),
         skin: None,

@@ -36,7 +36,6 @@ mod trace;
 mod wavefront;
 mod window;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 pub(crate) use crossing::{Crossing, Exits};
@@ -50,6 +49,7 @@ pub(crate) use wavefront::checked_sources;
 pub(crate) use window::{Beam, Window, length};
 
 use crate::error::{Error, Result};
+use heatwalk_sparse::{Progress, Stage, report};
 use heatwalk_surface::Path;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{ToPoint, ToSource, VertexData};
@@ -60,14 +60,12 @@ pub(crate) const WORK_BETWEEN_CALLS: usize = 20_000;
 /// The exact distance of every vertex (`#V`, in the file's unit) to the sources: the least of initial distance plus length
 /// of a path. Infinite where no source can be reached.
 ///
-/// `progress` is told the distance below which all values are final, and can stop the work.
-///
 /// # Errors
 /// [`Error::NoSource`]; those of [`ToSource::to_source`]; [`Error::OutOfMemory`]; [`Error::Cancelled`].
 pub fn exact_distance<S: ToSource>(
     surface: &Arc<Surface>,
     sources: &[S],
-    progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    progress: Progress<'_>,
 ) -> Result<VertexData<f64>> {
     if sources.is_empty() {
         return Err(Error::NoSource);
@@ -76,9 +74,7 @@ pub fn exact_distance<S: ToSource>(
     let geometry = Arc::new(ExactGeometry::new(Arc::clone(surface)));
     let mut wavefront = Wavefront::of_checked(geometry, sources, &[])?;
     while !wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS)? {
-        if progress(wavefront.radius()).is_break() {
-            return Err(Error::Cancelled);
-        }
+        report(progress, Stage::Searching { radius: wavefront.radius() }, 0.0)?;
     }
     Ok(wavefront.into_values())
 }

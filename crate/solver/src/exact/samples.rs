@@ -3,15 +3,21 @@
 #[cfg(not(target_arch = "wasm32"))]
 use heatwalk_surface::Soup;
 
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
+
 use super::window::Beam;
 
-/// Numbers from 0 to 1 that repeat late.
-pub struct Numbers(pub u64);
+/// Numbers from 0 to 1.
+pub struct Numbers(SplitMix64);
 
 impl Numbers {
+    pub fn new(seed: u64) -> Self {
+        Self(SplitMix64::seed_from_u64(seed))
+    }
+
     pub fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        self.0.random()
     }
 
     /// A window of a half-edge of length 1 that sees its source at up to 1.5 from the half-edge.

@@ -32,7 +32,7 @@ struct Ray {
 }
 
 /// What a step into a face finds.
-enum Step {
+enum Found {
     /// The source.
     Arrived,
     /// A way out.
@@ -135,7 +135,7 @@ impl Wavefront {
 
     /// Takes a ray into the face of `half-edge`, on the far side of its edge; `is_mirrored` where that half-edge runs in the
     /// ray's half-edge's direction.
-    fn step(&self, ray: Ray, (halfedge, is_mirrored): (u32, bool), (root, near): (u32, f64)) -> Step {
+    fn step(&self, ray: Ray, (halfedge, is_mirrored): (u32, bool), (root, near): (u32, f64)) -> Found {
         let (frame, k) = self.geometry.frame_of(halfedge);
         let (l, r) = (before(k), after(k));
         let across = frame[k].length;
@@ -146,7 +146,7 @@ impl Wavefront {
         if let Some(weights) = self.weights_of_root(root, halfedge / 3) {
             let [root_x, root_y] = frame.place(k, weights);
             if length(root_x - x, root_y - y) <= near {
-                return Step::Arrived;
+                return Found::Arrived;
             }
         }
         let [forward, up] = [x - at, y];
@@ -162,11 +162,11 @@ impl Wavefront {
         let meets = if closing > 0.0 { (from_end * up / closing).min(out_length) } else { out_length };
         let (along, depth) = (aside * cos + y * sin, y * cos - aside * sin);
         if depth.is_nan() || depth < -BEHIND * (out_length + y) || (is_here && depth > near) {
-            return Step::Lost;
+            return Found::Lost;
         }
         let (at, x) = if is_left { (out_length - meets, out_length - along) } else { (meets, along) };
         let at = if is_here { x.clamp(0.0, out_length) } else { at };
-        Step::Leaves(Ray { halfedge: halfedge - k as u32 + out as u32, at, x, depth: depth.max(0.0) })
+        Found::Leaves(Ray { halfedge: halfedge - k as u32 + out as u32, at, x, depth: depth.max(0.0) })
     }
 }
 
@@ -256,12 +256,12 @@ impl Trace<'_> {
                 steps_left -= 1;
                 self.points.truncate(length);
                 match front.step(from, (halfedge, is_mirrored), (root, near)) {
-                    Step::Arrived => return Some(End::Root(halfedge / 3)),
-                    Step::Leaves(next) => {
+                    Found::Arrived => return Some(End::Root(halfedge / 3)),
+                    Found::Leaves(next) => {
                         ray = next;
                         break;
                     }
-                    Step::Lost => {}
+                    Found::Lost => {}
                 }
             }
         }

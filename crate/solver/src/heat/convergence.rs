@@ -1,6 +1,5 @@
 //! How the two linear solvers of the report come to the solutions of the heat method.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::error::{Error, Result};
@@ -9,7 +8,7 @@ use crate::heat::flow::HEAT_MATRIX;
 use crate::heat::poisson::{POISSON_MATRIX, Poisson};
 use crate::heat::query::Query;
 use crate::operator::Discretization;
-use heatwalk_sparse::{ConjugateGradients, Permutation, Symbolic, SymmetricMatrix};
+use heatwalk_sparse::{ConjugateGradients, Permutation, Symbolic, SymmetricMatrix, go_on};
 use heatwalk_surface::Source;
 
 /// Residuals `‖b − A x‖₂ / ‖b‖₂` of one linear system.
@@ -52,9 +51,8 @@ impl Factorization {
         let pattern = heat.pattern();
         let symbolic = Arc::new(Symbolic::analyse(pattern, Permutation::fill_reducing(pattern)?)?);
         let residuals = |matrix: &SymmetricMatrix, name, right: &[f64]| -> Result<Residuals> {
-            let [factor] = symbolic
-                .factor([matrix], &mut |_| ControlFlow::Continue(()))
-                .map_err(|error| Error::of_matrices(&error, &[name]))?;
+            let [factor] =
+                symbolic.factor([matrix], &mut go_on).map_err(|error| Error::of_matrices(&error, &[name]))?;
             let factored = residual(matrix, &factor.solve(right), right);
             let (_, iterated) = ConjugateGradients::new(matrix.clone()).solve_recording(right)?;
             Ok(Residuals { iterated, factored })

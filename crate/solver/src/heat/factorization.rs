@@ -10,7 +10,7 @@ use crate::heat::method::HeatMethod;
 use crate::heat::triangles::Triangles;
 use crate::operator::Operators;
 use crate::options::FactorOptions;
-use crate::progress::{Progress, Stage, report};
+use heatwalk_sparse::{Progress, Stage, report};
 use heatwalk_surface::{Surface, memory};
 
 /// Bytes that the triangles of the operators, the matrices and what exact distances need take at once, a face.

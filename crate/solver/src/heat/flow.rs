@@ -1,14 +1,13 @@
 //! Heat after time t, from any supply and under any constraints.
 
 use std::collections::BTreeMap;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::error::Result;
 use crate::heat::constraint::Constraint;
 use crate::heat::systems::{CachedSystem, Systems};
 use crate::operator::{Discretization, Laplacian, Operators};
-use heatwalk_sparse::{Functional, SchurComplement, SymmetricMatrix, System};
+use heatwalk_sparse::{Functional, Progress, SchurComplement, SymmetricMatrix, System};
 use heatwalk_surface::{VertexData, VertexId};
 
 /// Name of the matrix in errors.
@@ -44,7 +43,7 @@ impl Condition {
 
 /// What a heat matrix is made of beside the stiffness.
 #[derive(Debug, Clone)]
-pub(super) struct Step {
+pub(super) struct HeatStep {
     /// In the unit of the lengths, squared.
     pub(super) time: f64,
     pub(super) condition: Condition,
@@ -52,7 +51,7 @@ pub(super) struct Step {
     pub(super) mass: Arc<[f64]>,
 }
 
-impl Step {
+impl HeatStep {
     /// With the lumped mass of the operators.
     pub(super) fn lumped(systems: &Systems<impl Discretization>, time: f64, condition: Condition) -> Self {
         Self { time, condition, mass: systems.operators().laplacian().mass.as_slice().into() }
@@ -79,7 +78,7 @@ impl Step {
 #[derive(Debug)]
 pub struct HeatFlow<D = Operators> {
     systems: Arc<Systems<D>>,
-    step: Step,
+    step: HeatStep,
     system: CachedSystem,
 }
 
@@ -88,33 +87,20 @@ impl<D: Discretization> HeatFlow<D> {
     ///
     /// # Errors
     /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite) on degenerate triangles;
-    /// [`OutOfMemory`](crate::Error::OutOfMemory).
-    pub fn new(systems: &Arc<Systems<D>>, time: f64, condition: Condition) -> Result<Self> {
-        Self::with_progress(systems, time, condition, &mut |_| ControlFlow::Continue(()))
-    }
-
-    /// The same. `progress` is told the share of the work done, 0 to 1.
-    ///
-    /// # Errors
-    /// As [`HeatFlow::new`]; [`Cancelled`](crate::Error::Cancelled).
-    pub fn with_progress(
-        systems: &Arc<Systems<D>>,
-        time: f64,
-        condition: Condition,
-        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Self> {
-        let step = Step::lumped(systems, time, condition);
+    /// [`OutOfMemory`](crate::Error::OutOfMemory); [`Cancelled`](crate::Error::Cancelled).
+    pub fn new(systems: &Arc<Systems<D>>, time: f64, condition: Condition, progress: Progress<'_>) -> Result<Self> {
+        let step = HeatStep::lumped(systems, time, condition);
         let [system] = systems.systems([(step.matrix(systems.operators().laplacian()), HEAT_MATRIX)], progress)?;
         Ok(Self::with_system(systems, step, system))
     }
 
     /// With the matrix made ready elsewhere.
-    pub(super) fn with_system(systems: &Arc<Systems<D>>, step: Step, system: System) -> Self {
+    pub(super) fn with_system(systems: &Arc<Systems<D>>, step: HeatStep, system: System) -> Self {
         Self { systems: Arc::clone(systems), step, system: CachedSystem::new(system) }
     }
 
     /// What its matrix is made of.
-    pub(super) fn step(&self) -> &Step {
+    pub(super) fn step(&self) -> &HeatStep {
         &self.step
     }
 

@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::extremum::larger;
 use crate::heat::discretization::HeatDiscretization;
 use crate::heat::field::{Field, RightSide};
-use crate::heat::flow::{Condition, HEAT_MATRIX, HeatFlow, Step};
+use crate::heat::flow::{Condition, HEAT_MATRIX, HeatFlow, HeatStep};
 use crate::heat::point_source::PointSource;
 use crate::heat::poisson::{POISSON_MATRIX, Poisson};
 use crate::heat::region::ExactRegion;
@@ -14,7 +14,7 @@ use crate::heat::source_heat::SourceHeat;
 use crate::heat::systems::Systems;
 use crate::heat::time;
 use crate::options::{Boundary, FactorOptions, MemoryLimit, MultiSource};
-use crate::progress::{Progress, Stage};
+use heatwalk_sparse::{Progress, Stage, go_on};
 use heatwalk_surface::VertexData;
 
 /// Numbers that the factors of heat systems may take that are not needed now, so that going back to another time or
@@ -81,8 +81,8 @@ impl<D: HeatDiscretization> HeatMethod<D> {
     // Inlined with those below, it would make the page's module a sixteenth larger.
     #[inline(never)]
     fn factor(&mut self, options: FactorOptions, done: f64, progress: Progress<'_>) -> Result<()> {
-        let is_absent = |step: &Step| !self.flows.iter().any(|flow| flow.step().is_same(step));
-        let mut steps: Vec<Step> = self.needed(options).into_iter().filter(is_absent).collect();
+        let is_absent = |step: &HeatStep| !self.flows.iter().any(|flow| flow.step().is_same(step));
+        let mut steps: Vec<HeatStep> = self.needed(options).into_iter().filter(is_absent).collect();
         let needs_poisson = self.field_with(options) == Field::Unit && self.poisson.get().is_none();
         // Two matrices side by side take less time than one after the other.
         let beside_poisson = if needs_poisson { steps.pop() } else { None };
@@ -90,21 +90,21 @@ impl<D: HeatDiscretization> HeatMethod<D> {
         self.make_room(count, options.memory)?;
         let laplacian = self.systems.operators().laplacian();
         let mut factored = 0;
-        let mut told = |factored: usize, share: f64| {
-            progress(Stage::Factoring, done + (1.0 - done) * (factored as f64 + share) / count as f64)
+        let mut told = |factored: usize, stage: Stage, share: f64| {
+            progress(stage, done + (1.0 - done) * (factored as f64 + share) / count as f64)
         };
         let mut poisson = None;
         let mut made = Vec::with_capacity(count);
         if let Some(step) = beside_poisson {
             let matrices = [(Poisson::matrix(&self.systems), POISSON_MATRIX), (step.matrix(laplacian), HEAT_MATRIX)];
-            let [system, heat] = self.systems.systems(matrices, &mut |share| told(0, 2.0 * share))?;
+            let [system, heat] = self.systems.systems(matrices, &mut |stage, share| told(0, stage, 2.0 * share))?;
             poisson = Some(Poisson::with_system(&self.systems, system));
             made.push(HeatFlow::with_system(&self.systems, step, heat));
             factored = 2;
         }
         for step in steps {
             let matrix = (step.matrix(laplacian), HEAT_MATRIX);
-            let [system] = self.systems.systems([matrix], &mut |share| told(factored, share))?;
+            let [system] = self.systems.systems([matrix], &mut |stage, share| told(factored, stage, share))?;
             made.push(HeatFlow::with_system(&self.systems, step, system));
             factored += 1;
         }
@@ -141,12 +141,12 @@ impl<D: HeatDiscretization> HeatMethod<D> {
     }
 
     /// The heat systems that options need; at least one.
-    fn needed(&self, options: FactorOptions) -> Vec<Step> {
+    fn needed(&self, options: FactorOptions) -> Vec<HeatStep> {
         let special = self.discretization().logarithm_mass().filter(|_| self.field_with(options) == Field::Logarithm);
         let mass = special.unwrap_or(&self.mass);
         let time = self.time_with(options);
         let conditions = conditions(options.boundary, &self.neumann, self.dirichlet.as_ref());
-        let step = |condition: &Condition| Step { time, condition: condition.clone(), mass: Arc::clone(mass) };
+        let step = |condition: &Condition| HeatStep { time, condition: condition.clone(), mass: Arc::clone(mass) };
         conditions.into_iter().map(step).collect()
     }
 
@@ -166,7 +166,7 @@ impl<D: HeatDiscretization> HeatMethod<D> {
             return Ok(poisson);
         }
         self.check_memory(1, self.options.memory)?;
-        let poisson = Poisson::new(&self.systems)?;
+        let poisson = Poisson::new(&self.systems, &mut go_on)?;
         Ok(self.poisson.get_or_init(|| poisson))
     }
 

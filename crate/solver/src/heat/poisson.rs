@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::heat::constraint::Constraint;
 use crate::heat::systems::{CachedSystem, Systems};
 use crate::operator::{Discretization, Operators};
-use heatwalk_sparse::{Functional, SchurColumn, SchurComplement, SymmetricMatrix, System, evaluate};
+use heatwalk_sparse::{Functional, Progress, SchurColumn, SchurComplement, SymmetricMatrix, System, evaluate};
 
 /// Name of the matrix in errors.
 pub(super) const POISSON_MATRIX: &str = "Poisson";
@@ -30,9 +30,9 @@ impl<D: Discretization> Poisson<D> {
     ///
     /// # Errors
     /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite) on degenerate triangles;
-    /// [`OutOfMemory`](crate::Error::OutOfMemory).
-    pub fn new(systems: &Arc<Systems<D>>) -> Result<Self> {
-        let system = systems.system(Self::matrix(systems), POISSON_MATRIX)?;
+    /// [`OutOfMemory`](crate::Error::OutOfMemory); [`Cancelled`](crate::Error::Cancelled).
+    pub fn new(systems: &Arc<Systems<D>>, progress: Progress<'_>) -> Result<Self> {
+        let [system] = systems.systems([(Self::matrix(systems), POISSON_MATRIX)], progress)?;
         Ok(Self::with_system(systems, system))
     }
 

@@ -10,7 +10,7 @@ use crate::heat::answer::Refinement;
 use crate::heat::factorization::Factorization;
 use crate::heat::query::Query;
 use crate::options::Parameters;
-use crate::progress::Progress;
+use heatwalk_sparse::Progress;
 use heatwalk_surface::{Surface, ToSource, VertexId};
 
 /// Answers with one set of options: a [`Factorization`] and what its queries have in common.

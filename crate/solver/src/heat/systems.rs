@@ -1,14 +1,13 @@
 //! How systems of the operators' pattern are made ready, and whether there is room for it.
 
-use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::error::{Error, Result};
 use crate::operator::{Discretization, Operators};
 use crate::options::{LinearSolver, MemoryLimit};
-use crate::progress::{Progress, Stage, report};
 use heatwalk_sparse::{
-    ConjugateGradients, Factor, Functional, Permutation, SchurCache, SchurColumn, Symbolic, SymmetricMatrix, System,
+    ConjugateGradients, Factor, Functional, Permutation, Progress, SchurCache, SchurColumn, Stage, Symbolic,
+    SymmetricMatrix, System, go_on, report,
 };
 use heatwalk_surface::memory;
 
@@ -96,15 +95,13 @@ impl<D: Discretization> Systems<D> {
         if fits { Ok(()) } else { Err(Error::TooLarge { needed_bytes }) }
     }
 
-    /// Makes matrices ready, side by side. Each has a name for errors. `progress` is told the share of the work done.
+    /// Makes matrices ready, side by side. Each has a name for errors.
     pub(super) fn systems<const N: usize>(
         &self,
         matrices: [(SymmetricMatrix, &'static str); N],
-        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+        progress: Progress<'_>,
     ) -> Result<[System; N]> {
-        if progress(0.0).is_break() {
-            return Err(Error::Cancelled);
-        }
+        report(progress, Stage::Factoring, 0.0)?;
         Ok(match &self.symbolic {
             Some(symbolic) => {
                 let names = matrices.each_ref().map(|&(_, name)| name);
@@ -124,7 +121,7 @@ impl<D: Discretization> Systems<D> {
     }
 
     pub(super) fn system(&self, matrix: SymmetricMatrix, name: &'static str) -> Result<System> {
-        let [system] = self.systems([(matrix, name)], &mut |_| ControlFlow::Continue(()))?;
+        let [system] = self.systems([(matrix, name)], &mut go_on)?;
         Ok(system)
     }
 

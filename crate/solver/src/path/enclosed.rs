@@ -34,13 +34,13 @@ type Chord = [[f64; 3]; 2];
 
 /// Where the winding number changes along the inside of a face's border: from 0 at its first corner to 3, one an edge.
 #[derive(Debug, Clone, Copy)]
-struct Step {
+struct Change {
     at: f64,
     change: i32,
 }
 
 /// Puts a step where it belongs among others in order. There are few of them in a face.
-fn insert(steps: &mut Vec<Step>, step: Step) {
+fn insert(steps: &mut Vec<Change>, step: Change) {
     steps.insert(steps.partition_point(|other| other.at <= step.at), step);
 }
 
@@ -49,7 +49,7 @@ fn insert(steps: &mut Vec<Step>, step: Step) {
 struct Crossed {
     chords: Vec<Chord>,
     /// In order of their places.
-    steps: Vec<Step>,
+    steps: Vec<Change>,
 }
 
 impl Crossed {
@@ -68,9 +68,9 @@ impl Crossed {
     /// A place of an edge that is away from all steps of this face and, as `others`, of its neighbor: the middle of the widest gap.
     fn gap(&self, k: usize, others: impl Iterator<Item = f64>) -> f64 {
         let own = self.steps.iter().map(|step| step.at - k as f64);
-        let mut places = vec![Step { at: 0.0, change: 0 }, Step { at: 1.0, change: 0 }];
+        let mut places = vec![Change { at: 0.0, change: 0 }, Change { at: 1.0, change: 0 }];
         for at in own.chain(others).filter(|place| (0.0..=1.0).contains(place)) {
-            insert(&mut places, Step { at, change: 0 });
+            insert(&mut places, Change { at, change: 0 });
         }
         let widest = places.windows(2).max_by(|a, b| (a[1].at - a[0].at).total_cmp(&(b[1].at - b[0].at)));
         widest.map_or(0.5, |gap| f64::midpoint(gap[0].at, gap[1].at))
@@ -82,7 +82,7 @@ impl Crossed {
         let (mut winding, mut from) = (base, 0.0);
         let mut steps = self.steps.clone();
         for at in [1.0, 2.0, 3.0] {
-            insert(&mut steps, Step { at, change: 0 });
+            insert(&mut steps, Change { at, change: 0 });
         }
         for step in steps {
             sum += f64::from(winding) * cross(on_border(from), on_border(step.at));
@@ -173,7 +173,7 @@ impl Curve {
             let (_, crossed) = &mut curve.crossed[curve.number[face] as usize];
             for (weights, change) in chord.into_iter().zip([-1, 1]) {
                 if let Some(at) = border_place(weights) {
-                    insert(&mut crossed.steps, Step { at, change });
+                    insert(&mut crossed.steps, Change { at, change });
                 }
             }
             crossed.chords.push(chord);

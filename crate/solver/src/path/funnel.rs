@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use glam::{DVec2, DVec3};
 
-use super::strip::{Portal, Strip, unfold};
+use super::strip::{Strip, StripEdge, unfold};
 use heatwalk_surface::csr::NONE;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
@@ -44,15 +44,15 @@ pub(super) fn tighten(surface: &Surface, from: Place, mut strip: Strip, to: Plac
     if strip.steps.is_empty() {
         return Segment::in_face(surface, strip.first, from, to).into_iter().collect();
     }
-    let (portals, end) = unfold(surface, &strip, from, to);
+    let (edges, end) = unfold(surface, &strip, from, to);
     let mut segments = Vec::new();
-    let mut start = Stop { location: from, at: DVec2::ZERO, portals: [0, 0] };
-    for stop in stops(&portals, Stop { location: to, at: end, portals: [portals.len(); 2] }) {
-        let [first, last] = [start.portals[1].min(stop.portals[0]), stop.portals[0]];
+    let mut start = Stop { location: from, at: DVec2::ZERO, edges: [0, 0] };
+    for stop in stops(&edges, Stop { location: to, at: end, edges: [edges.len(); 2] }) {
+        let [first, last] = [start.edges[1].min(stop.edges[0]), stop.edges[0]];
         if first == last {
             segments.extend(Segment::in_face(surface, strip.face_before(first), start.location, stop.location));
         } else {
-            segments.push(Segment::over(strip.part(first, last), &portals[first..last], &start, &stop));
+            segments.push(Segment::over(strip.part(first, last), &edges[first..last], &start, &stop));
         }
         start = stop;
     }
@@ -64,8 +64,8 @@ pub(super) fn tighten(surface: &Surface, from: Place, mut strip: Strip, to: Plac
 struct Stop {
     location: Place,
     at: DVec2,
-    /// First of the portals that end there, and the one after the last.
-    portals: [usize; 2],
+    /// First of the edges that end there, and the one after the last.
+    edges: [usize; 2],
 }
 
 impl Segment {
@@ -94,66 +94,66 @@ impl Segment {
         })
     }
 
-    /// Straight through portals.
-    fn over(strip: Strip, portals: &[Portal], start: &Stop, end: &Stop) -> Self {
-        let heading = |here: &Stop, there: &Stop, face: FaceId, portal: &Portal| {
+    /// Straight through edges.
+    fn over(strip: Strip, edges: &[StripEdge], start: &Stop, end: &Stop) -> Self {
+        let heading = |here: &Stop, there: &Stop, face: FaceId, edge: &StripEdge| {
             let direction = there.at - here.at;
             let side = |k: usize| {
-                let edge = portal.at[k] - here.at;
-                (portal.ends[k], direction.perp_dot(edge).abs().atan2(direction.dot(edge)))
+                let side = edge.at[k] - here.at;
+                (edge.ends[k], direction.perp_dot(side).abs().atan2(direction.dot(side)))
             };
             matches!(here.location, Place::Vertex(_)).then(|| Heading { face, sides: [side(0), side(1)] })
         };
         Self {
             to: end.location,
             length: start.at.distance(end.at),
-            leaving: heading(start, end, strip.first, &portals[0]),
-            arriving: heading(end, start, strip.last(), &portals[portals.len() - 1]),
+            leaving: heading(start, end, strip.first, &edges[0]),
+            arriving: heading(end, start, strip.last(), &edges[edges.len() - 1]),
             strip,
         }
     }
 }
 
 /// The vertices that the shortest path bends around and those that it touches, then its end.
-fn stops(portals: &[Portal], end: Stop) -> Vec<Stop> {
+fn stops(edges: &[StripEdge], end: Stop) -> Vec<Stop> {
     let mut stops = Vec::new();
     let (mut at, mut next) = (DVec2::ZERO, 0);
-    for bend in bends(portals, end.at).into_iter().map(|corner| corner.stop(portals)).chain([end]) {
-        let mut portal = next;
-        while portal < bend.portals[0] {
-            portal += 1;
-            if let Some(touch) = touched(portals, [next, portal - 1], at, bend.at) {
-                next = touch.portals[1];
-                portal = next;
+    for bend in bends(edges, end.at).into_iter().map(|corner| corner.stop(edges)).chain([end]) {
+        let mut edge = next;
+        while edge < bend.edges[0] {
+            edge += 1;
+            if let Some(touch) = touched(edges, [next, edge - 1], at, bend.at) {
+                next = touch.edges[1];
+                edge = next;
                 stops.push(touch);
             }
         }
         stops.push(bend);
-        (at, next) = (bend.at, bend.portals[1]);
+        (at, next) = (bend.at, bend.edges[1]);
     }
     stops
 }
 
-/// The end of a portal that a straight line passes within `TOUCH`, if any. Portals from `first` on may end there, too.
-fn touched(portals: &[Portal], [first, portal]: [usize; 2], start: DVec2, end: DVec2) -> Option<Stop> {
-    let share = share_of(&portals[portal], start, end);
+/// The end of an edge that a straight line passes within `TOUCH`, if any. Edges from `first` on may end there, too.
+fn touched(edges: &[StripEdge], [first, edge]: [usize; 2], start: DVec2, end: DVec2) -> Option<Stop> {
+    let share = share_of(&edges[edge], start, end);
     let side = match share {
         _ if share <= TOUCH => 0,
         _ if share >= 1.0 - TOUCH => 1,
         _ => return None,
     };
-    let Portal { ends, at } = portals[portal];
-    let ending = portals[first..portal].iter().rev().take_while(|before| before.ends.contains(&ends[side])).count();
-    Some(Corner { vertex: ends[side], at: at[side], portal: portal - ending }.stop(portals))
+    let StripEdge { ends, at } = edges[edge];
+    let ending = edges[first..edge].iter().rev().take_while(|before| before.ends.contains(&ends[side])).count();
+    Some(Corner { vertex: ends[side], at: at[side], edge: edge - ending }.stop(edges))
 }
 
-/// Where a line crosses a portal, as a share of the way from its left end to its right one, 0 to 1.
-pub(super) fn share_of(portal: &Portal, start: DVec2, end: DVec2) -> f64 {
-    let [left, right] = portal.at.map(|at| (end - start).perp_dot(at - start));
+/// Where a line crosses an edge, as a share of the way from its left end to its right one, 0 to 1.
+pub(super) fn share_of(edge: &StripEdge, start: DVec2, end: DVec2) -> f64 {
+    let [left, right] = edge.at.map(|at| (end - start).perp_dot(at - start));
     let share = left / (left - right);
     if share.is_nan() {
-        // Along the portal: its nearer end comes first.
-        let [left, right] = portal.at.map(|at| at.distance_squared(start));
+        // Along the edge: its nearer end comes first.
+        let [left, right] = edge.at.map(|at| at.distance_squared(start));
         return if left < right { 0.0 } else { 1.0 };
     }
     share.clamp(0.0, 1.0)
@@ -163,20 +163,20 @@ pub(super) fn share_of(portal: &Portal, start: DVec2, end: DVec2) -> f64 {
 struct Corner {
     vertex: VertexId,
     at: DVec2,
-    /// The first portal that ends there.
-    portal: usize,
+    /// The first edge that ends there.
+    edge: usize,
 }
 
 impl Corner {
-    fn stop(self, portals: &[Portal]) -> Stop {
-        let ending = portals[self.portal..].iter().take_while(|portal| portal.ends.contains(&self.vertex)).count();
-        let portals = [self.portal, self.portal + ending];
-        Stop { location: Place::Vertex(self.vertex), at: self.at, portals }
+    fn stop(self, edges: &[StripEdge]) -> Stop {
+        let ending = edges[self.edge..].iter().take_while(|edge| edge.ends.contains(&self.vertex)).count();
+        let edges = [self.edge, self.edge + ending];
+        Stop { location: Place::Vertex(self.vertex), at: self.at, edges }
     }
 }
 
-/// The vertices that the shortest path through the portals from the origin bends around.
-fn bends(portals: &[Portal], end: DVec2) -> Vec<Corner> {
+/// The vertices that the shortest path through the edges from the origin bends around.
+fn bends(edges: &[StripEdge], end: DVec2) -> Vec<Corner> {
     let mut apex = DVec2::ZERO;
     let mut bends = Vec::new();
     // From the apex outward, left and right; positive is to the inside of neither.
@@ -201,15 +201,15 @@ fn bends(portals: &[Portal], end: DVec2) -> Vec<Corner> {
         }
         chains[side].push_back(corner);
     };
-    for (k, portal) in portals.iter().enumerate() {
+    for (k, edge) in edges.iter().enumerate() {
         for side in 0..2 {
-            if k == 0 || portals[k - 1].ends[side] != portal.ends[side] {
-                let corner = Corner { vertex: portal.ends[side], at: portal.at[side], portal: k };
+            if k == 0 || edges[k - 1].ends[side] != edge.ends[side] {
+                let corner = Corner { vertex: edge.ends[side], at: edge.at[side], edge: k };
                 add(side, corner, &mut bends, &mut chains);
             }
         }
     }
-    add(0, Corner { vertex: VertexId(NONE), at: end, portal: portals.len() }, &mut bends, &mut chains);
+    add(0, Corner { vertex: VertexId(NONE), at: end, edge: edges.len() }, &mut bends, &mut chains);
     let [mut left, _] = chains;
     left.pop_back();
     bends.extend(left);

@@ -301,10 +301,10 @@ impl<'a> Chain<'a> {
         while let Some(segment) = &node.segment {
             add(node.location, segment.strip.first);
             if !segment.strip.steps.is_empty() {
-                let (portals, end) = unfold(surface, &segment.strip, node.location, segment.to);
-                for (portal, step) in portals.iter().zip(&segment.strip.steps) {
-                    let share = share_of(portal, DVec2::ZERO, end);
-                    let location = Place::on_edge(surface, step.face, portal.ends, share);
+                let (edges, end) = unfold(surface, &segment.strip, node.location, segment.to);
+                for (edge, step) in edges.iter().zip(&segment.strip.steps) {
+                    let share = share_of(edge, DVec2::ZERO, end);
+                    let location = Place::on_edge(surface, step.face, edge.ends, share);
                     add(location.reduced(surface), step.face);
                 }
             }

@@ -73,7 +73,7 @@ impl Strip {
         }
     }
 
-    /// The faces between two portals, `start` to `end` the steps that lead over those in between.
+    /// The faces between two edges, `start` to `end` the steps that lead over those in between.
     pub fn part(&self, start: usize, end: usize) -> Self {
         Self { first: self.face_before(start), steps: self.steps[start..end].to_vec() }
     }
@@ -81,7 +81,7 @@ impl Strip {
 
 /// An edge of a strip in the plane, seen from the face before it.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Portal {
+pub(super) struct StripEdge {
     /// Vertices at the left and the right.
     pub ends: [VertexId; 2],
     /// Where these lie.
@@ -89,18 +89,18 @@ pub(super) struct Portal {
 }
 
 /// Lays a trimmed strip of two faces or more into the plane, `from` in the origin, the mean edge as unit, so that
-/// products neither under- nor overflow. Returns its portals and where `to` is.
+/// products neither under- nor overflow. Returns its edges and where `to` is.
 ///
 /// The direction of each edge is handed on as a unit vector of its own: taken from rounded positions it would be lost
 /// behind a short edge.
-pub(super) fn unfold(surface: &Surface, strip: &Strip, from: Place, to: Place) -> (Vec<Portal>, DVec2) {
-    let mut portals = Vec::with_capacity(strip.steps.len());
+pub(super) fn unfold(surface: &Surface, strip: &Strip, from: Place, to: Place) -> (Vec<StripEdge>, DVec2) {
+    let mut edges = Vec::with_capacity(strip.steps.len());
     let mut ends = strip.steps[0].edge;
     let apex = place(surface, ends, from.position(surface));
     let mut at = apex.map(|apex| DVec2::new(-apex.x, apex.y));
     let mut along = DVec2::X;
     for (k, step) in strip.steps.iter().enumerate() {
-        portals.push(Portal { ends, at });
+        edges.push(StripEdge { ends, at });
         let Some(next) = strip.steps.get(k + 1) else { break };
         let apex_vertex = third(surface.faces()[step.face], ends);
         let [apex, direction] =
@@ -112,7 +112,7 @@ pub(super) fn unfold(surface: &Surface, strip: &Strip, from: Place, to: Place) -
         at[side] = apex;
     }
     let [end, _] = beyond(surface, ends, at, along, to.position(surface), true);
-    (portals, end)
+    (edges, end)
 }
 
 /// The corner that is neither of these two.
@@ -130,8 +130,8 @@ fn place(surface: &Surface, ends: [VertexId; 2], apex: DVec3) -> [DVec2; 2] {
     [a, b].map(|offset| DVec2::new(along.dot(offset), away))
 }
 
-/// The point beyond a portal in the plane, and the direction from left to right of the edge that joins it to the
-/// portal's left end (`keeps_left`) or right end.
+/// The point beyond an edge in the plane, and the direction from left to right of the edge that joins it to the
+/// edge's left end (`keeps_left`) or right end.
 fn beyond(
     surface: &Surface,
     ends: [VertexId; 2],

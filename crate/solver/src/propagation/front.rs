@@ -4,17 +4,15 @@
 
 use std::sync::Arc;
 
-use super::ends::Ends;
-use super::grow::{BATCH, Grow, NOWHERE, fetch_around, lights, nearest_start};
+use super::grow::{BATCH, Grow, PlaceInFace, Reached};
 use super::labels::{Bar, Bars, Count, Labels};
 use super::medium::{Medium, head_wave, refracted};
 use super::queue::{Queue, sort_spent};
 use crate::error::Result;
 use crate::exact::{Beam, Crossing, ExactGeometry, Exits, Side, Wavefront, after, before, length};
 use crate::extremum::{larger, smaller};
-use crate::room::{REFUSED, refilled};
 use heatwalk_surface::lanes::Lanes;
-use heatwalk_surface::{Source, Surface, VertexData, VertexId};
+use heatwalk_surface::{Surface, VertexId};
 
 /// Width of the queue's buckets, in mean edges.
 const BUCKET: f64 = 1.0;
@@ -24,26 +22,13 @@ const REFUSALS: usize = 16;
 
 /// What windows carry.
 pub(super) struct Front<C, M> {
-    surface: Arc<Surface>,
-    geometry: Arc<ExactGeometry>,
     medium: M,
-    /// `#V`, as its other lists empty before the first start.
-    values: VertexData<f64>,
-    /// `#V`, number of the source that each value comes from.
-    nearest: VertexData<u32>,
+    reached: Reached,
     labels: Labels<C>,
     /// Half-edges where windows wait. What is pushed twice waits twice, and the second time finds nothing to do.
     crossing: Queue,
-    /// Vertices that have to send windows, and after them ends of portals; likewise.
-    sending: Queue,
-    ends: Ends,
-    /// `#V`, whether a vertex has still to send windows.
-    waits: Vec<bool>,
-    crossed: usize,
     /// Whether there was no memory for windows that cross, which are lost.
     is_refused: bool,
-    /// Items that are processed now; kept for its memory.
-    batch: Vec<u32>,
     /// Windows that cross now, each with its half-edge; kept for its memory.
     entering: Vec<(u32, Beam)>,
     /// What becomes of them, with room for [`BATCH`]; kept for its memory.
@@ -52,38 +37,30 @@ pub(super) struct Front<C, M> {
 
 impl<C: Count, M: Medium> Front<C, M> {
     pub fn new(geometry: Arc<ExactGeometry>, medium: M, stretches: C) -> Result<Self> {
-        let surface = Arc::clone(geometry.surface());
+        let halfedges = 3 * geometry.surface().face_count();
         Ok(Self {
-            values: VertexData::default(),
-            nearest: VertexData::default(),
-            labels: Labels::new(3 * surface.face_count(), stretches, geometry.mean_edge(), geometry.threads)?,
+            labels: Labels::new(halfedges, stretches, geometry.mean_edge(), geometry.threads)?,
             crossing: Queue::new(BUCKET * geometry.mean_edge()),
-            sending: Queue::new(BUCKET * geometry.mean_edge()),
-            ends: Ends::default(),
-            waits: Vec::new(),
-            crossed: 0,
             is_refused: false,
-            batch: Vec::new(),
             entering: Vec::new(),
             passages: Vec::with_capacity(BATCH),
-            surface,
-            geometry,
+            reached: Reached::new(geometry, BUCKET),
             medium,
         })
     }
 
     /// Reads what a batch will need, so that the processor waits for all of it at once instead of for one after another:
     /// first the faces, then what these name.
-    fn fetch(&self, batch: &[u32]) {
+    fn fetch(&self, geometry: &ExactGeometry, batch: &[u32]) {
         let mut sum = 0.0_f64;
         for &halfedge in batch {
-            let (frame, _) = self.geometry.frame_of(halfedge);
+            let (frame, _) = geometry.frame_of(halfedge);
             sum += frame[0].length + frame[2].length;
         }
         let mut labels = 0.0_f32;
         for &halfedge in batch {
-            let (frame, k) = self.geometry.frame_of(halfedge);
-            sum += self.values[VertexId(frame[before(k)].vertex)];
+            let (frame, k) = geometry.frame_of(halfedge);
+            sum += self.reached.values[VertexId(frame[before(k)].vertex)];
             labels += self.labels.value_of(halfedge);
             for out in [after(k), before(k)] {
                 labels += self.labels.value_of(frame[out].next_on_edge >> 2);
@@ -93,21 +70,7 @@ impl<C: Count, M: Medium> Front<C, M> {
     }
 
     fn distances(&self, vertices: [u32; 2]) -> [f64; 2] {
-        vertices.map(|vertex| self.values[VertexId(vertex)])
-    }
-
-    fn send_from(&mut self, vertex: u32) {
-        self.waits[vertex as usize] = true;
-        self.sending.push(vertex, self.values[VertexId(vertex)]);
-    }
-
-    /// Offers a vertex a shorter path.
-    fn offer(&mut self, vertex: u32, value: f64, source: u32) {
-        if value < self.values[VertexId(vertex)] {
-            self.values[VertexId(vertex)] = value;
-            self.nearest[VertexId(vertex)] = source;
-            self.send_from(vertex);
-        }
+        vertices.map(|vertex| self.reached.values[VertexId(vertex)])
     }
 
     /// Takes the windows that wait at some half-edges, and are still of use, each with its half-edge.
@@ -131,7 +94,7 @@ impl<C: Count, M: Medium> Front<C, M> {
                 }
             }
         }
-        self.crossed += entering.len();
+        self.reached.crossed += entering.len();
     }
 
     /// Lets windows cross the faces of their half-edges, at most [`BATCH`] of them: values for the opposite corners, windows
@@ -144,7 +107,7 @@ impl<C: Count, M: Medium> Front<C, M> {
         passages.clear();
         passages.extend(entering.iter().map(|&(halfedge, beam)| Passage::new(geometry, halfedge, beam)));
         for (&(halfedge, beam), passage) in entering.iter().zip(&passages) {
-            self.offer(passage.corners[2], self.medium.cost(halfedge / 3) * passage.at_corner, beam.root);
+            self.reached.offer(passage.corners[2], self.medium.cost(halfedge / 3) * passage.at_corner, beam.root);
             if geometry.portals().in_faces().are_in(halfedge / 3) {
                 self.see(geometry, halfedge, &beam);
             }
@@ -153,7 +116,7 @@ impl<C: Count, M: Medium> Front<C, M> {
         let mut count = 0;
         for ((&(halfedge, _), passage), number) in entering.iter().zip(&mut passages).zip((0..).step_by(2)) {
             let cost = self.medium.cost(halfedge / 3);
-            let [at_a, at_b, at_c] = passage.corners.map(|vertex| self.values[VertexId(vertex)] / cost);
+            let [at_a, at_b, at_c] = passage.corners.map(|vertex| self.reached.values[VertexId(vertex)] / cost);
             passage.bars.ends = [Lanes::new([at_a, at_c]), Lanes::new([at_c, at_b])];
             let are_sooner = self.are_sooner(passage);
             for (number, is_sooner) in (number..).zip(are_sooner) {
@@ -187,49 +150,12 @@ impl<C: Count, M: Medium> Front<C, M> {
 
     /// Whether a neighbor of a vertex is farther than by the edge between: windows may have lost it, and nobody else tells it.
     fn shortens(&self, geometry: &ExactGeometry, surface: &Surface, vertex: VertexId) -> bool {
-        let value = self.values[vertex];
+        let value = self.reached.values[vertex];
         surface.corners_of_vertex(vertex).any(|(face, k)| {
             let [from, out, last] = geometry.frame(face.0).seen_from(k);
-            let [at_out, at_last] = [out.vertex, last.vertex].map(|other| self.values[VertexId(other)]);
+            let [at_out, at_last] = [out.vertex, last.vertex].map(|other| self.reached.values[VertexId(other)]);
             value + from.length < at_out || value + last.length < at_last
         })
-    }
-
-    /// Sends windows from a vertex across all faces around it, and straight lines along its edges.
-    ///
-    /// Every vertex does, whether paths can bend there or not: where a window is missing, because a half-edge keeps but a
-    /// few, the vertices on its rim take its place.
-    fn emit(&mut self, geometry: &ExactGeometry, surface: &Surface, vertex: u32) {
-        if !std::mem::take(&mut self.waits[vertex as usize]) {
-            return;
-        }
-        let (value, source) = (self.values[VertexId(vertex)], self.nearest[VertexId(vertex)]);
-        for (face, k) in surface.corners_of_vertex(VertexId(vertex)) {
-            if geometry.portals().in_faces().are_in(face.0) {
-                let mut weights = [0.0; 3];
-                weights[k] = 1.0;
-                self.see_straight(geometry, (face.0, weights), value, source);
-            }
-            let [from, out, last] = geometry.frame(face.0).seen_from(k);
-            let cost = self.medium.cost(face.0);
-            self.offer(out.vertex, value + cost * from.length, source);
-            // Where another face lies there, it has offered that, unless it costs more.
-            if !M::IS_UNIFORM || last.twin().is_none() {
-                self.offer(last.vertex, value + cost * last.length, source);
-            }
-            if !M::IS_UNIFORM {
-                self.send_along(geometry, (face.0, k), (value / cost, source));
-            }
-            let ends = self.distances([last.vertex, out.vertex]).map(|value| value / cost);
-            let value = value / cost;
-            // Whatever lies behind the edge, its ends are nearer.
-            if value + larger(from.length, last.length) >= smaller(ends[0], ends[1]) + out.length {
-                continue;
-            }
-            let (x, depth) = (last.length * last.cos, from.length * out.sin);
-            let beam = Beam { begin: 0.0, end: out.length, x, depth, offset: value, root: source };
-            self.leave(geometry, 3 * face.0 + after(k) as u32, out, &beam, ends);
-        }
     }
 
     /// Offers the ends of portals in a half-edge's face the path through a window that enters there.
@@ -241,7 +167,7 @@ impl<C: Count, M: Medium> Front<C, M> {
             let [x, y] = frame.place(k, point.weights);
             let crosses = beam.x + (x - beam.x) * beam.depth / (beam.depth + y);
             let at = smaller(larger(crosses, beam.begin), beam.end);
-            self.offer_end(point.point as u32, cost * (beam.at(at) + length(x - at, y)), beam.root);
+            self.reached.offer_end(point.point as u32, cost * (beam.at(at) + length(x - at, y)), beam.root);
         }
     }
 
@@ -252,40 +178,8 @@ impl<C: Count, M: Medium> Front<C, M> {
         let cost = self.medium.cost(face);
         for point in geometry.portals().in_faces().in_face(face) {
             let [a, b] = [from, point.weights].map(|weights| frame.place(0, weights));
-            self.offer_end(point.point as u32, value + cost * length(a[0] - b[0], a[1] - b[1]), source);
+            self.reached.offer_end(point.point as u32, value + cost * length(a[0] - b[0], a[1] - b[1]), source);
         }
-    }
-
-    fn offer_end(&mut self, end: u32, value: f64, source: u32) {
-        if self.ends.offer(end, value, source) {
-            self.sending.push(self.waits.len() as u32 + end, value);
-        }
-    }
-
-    /// Lets what has reached an end of a portal start anew at the other one.
-    fn emerge(&mut self, geometry: &ExactGeometry, surface: &Surface, end: u32) {
-        let Some((other, value, source)) = self.ends.pass(geometry.portals(), end) else { return };
-        for at in geometry.faces_at(surface, geometry.portals().places()[other as usize]) {
-            self.light(geometry, at, value, source);
-        }
-    }
-
-    /// Sends windows from a place in a face, given by barycentric weights, out of it, and straight lines to its corners.
-    fn light(&mut self, geometry: &ExactGeometry, (face, weights): (u32, [f64; 3]), value: f64, source: u32) {
-        let frame = geometry.frame(face);
-        let cost = self.medium.cost(face);
-        for k in 0..3 {
-            let [x, depth] = frame.place(k, weights);
-            self.offer(frame[k].vertex, value + cost * length(x, depth), source);
-            if depth > 0.0 {
-                let side = &frame[k];
-                let ends = self.distances([frame[after(k)].vertex, side.vertex]).map(|value| value / cost);
-                let (x, offset) = (side.length - x, value / cost);
-                let beam = Beam { begin: 0.0, end: side.length, x, depth, offset, root: source };
-                self.leave(geometry, 3 * face + k as u32, side, &beam, ends);
-            }
-        }
-        self.see_straight(geometry, (face, weights), value, source);
     }
 
     /// Sends a face the waves of paths that run from one of its corners along the edges there, where these have cheaper
@@ -361,110 +255,113 @@ impl<C: Count, M: Medium> Front<C, M> {
         }
         kept.is_some()
     }
-
-    /// Forgets all that was found from earlier sources, to begin from so many at the least distance.
-    fn clear(&mut self, least: f64) -> Result<()> {
-        let vertices = self.surface.vertex_count();
-        self.values = refilled(std::mem::take(&mut self.values).into_vec(), vertices, f64::INFINITY)?.into();
-        self.nearest = refilled(std::mem::take(&mut self.nearest).into_vec(), vertices, NOWHERE)?.into();
-        self.waits = refilled(std::mem::take(&mut self.waits), vertices, false)?;
-        self.labels.clear();
-        self.crossing.clear(least, 3 * self.surface.face_count());
-        self.sending.clear(least, vertices);
-        (self.crossed, self.is_refused) = (0, false);
-        Ok(())
-    }
-
-    fn is_refused(&self) -> bool {
-        self.is_refused | self.labels.is_refused() | self.crossing.is_refused() | self.sending.is_refused()
-    }
 }
 
 impl<C: Count, M: Medium> Grow for Front<C, M> {
-    fn start(&mut self, exact: &Wavefront) -> Result<()> {
-        self.clear(exact.base())?;
-        for (end, value) in self.ends.start(exact) {
-            self.sending.push(self.waits.len() as u32 + end, value);
-        }
+    fn reached(&self) -> &Reached {
+        &self.reached
+    }
+
+    fn reached_mut(&mut self) -> &mut Reached {
+        &mut self.reached
+    }
+
+    fn clear(&mut self, surface: &Surface, least: f64) {
+        self.labels.clear();
+        self.crossing.clear(least, 3 * surface.face_count());
+        self.is_refused = false;
+    }
+
+    fn go_on(&mut self, geometry: &ExactGeometry, surface: &Surface, exact: &Wavefront) {
         for &vertex in exact.reached() {
-            let value = exact.values()[vertex];
-            self.values[vertex] = value;
-            self.nearest[vertex] = exact.source_of(vertex.0);
-        }
-        let (geometry, surface) = (Arc::clone(&self.geometry), Arc::clone(&self.surface));
-        for &vertex in exact.reached() {
-            if self.values[vertex] >= exact.radius() || self.shortens(&geometry, &surface, vertex) {
-                self.send_from(vertex.0);
+            if self.reached.values[vertex] >= exact.radius() || self.shortens(geometry, surface, vertex) {
+                self.reached.send_from(vertex.0);
             }
         }
         exact.for_each_waiting(&mut |halfedge, beam| {
             let (frame, k) = geometry.frame_of(halfedge);
             let corners = [k, after(k)].map(|corner| frame[corner].vertex);
-            corners.into_iter().for_each(|vertex| self.send_from(vertex));
+            corners.into_iter().for_each(|vertex| self.reached.send_from(vertex));
             self.keep(halfedge, &beam, &Bar { length: frame[k].length, ends: self.distances(corners) });
         });
-        Ok(())
     }
 
-    fn start_at(&mut self, sources: &[Source]) -> Result<()> {
-        self.clear(nearest_start(sources))?;
-        let (geometry, surface) = (Arc::clone(&self.geometry), Arc::clone(&self.surface));
-        self.ends.clear(geometry.portals().places().len());
-        for (at, value, source) in lights(&geometry, &surface, sources) {
-            self.light(&geometry, at, value, source);
+    /// Sends windows out of the face, and straight lines to its corners.
+    fn light(&mut self, geometry: &ExactGeometry, (face, weights): PlaceInFace, value: f64, source: u32) {
+        let frame = geometry.frame(face);
+        let cost = self.medium.cost(face);
+        for k in 0..3 {
+            let [x, depth] = frame.place(k, weights);
+            self.reached.offer(frame[k].vertex, value + cost * length(x, depth), source);
+            if depth > 0.0 {
+                let side = &frame[k];
+                let ends = self.distances([frame[after(k)].vertex, side.vertex]).map(|value| value / cost);
+                let (x, offset) = (side.length - x, value / cost);
+                let beam = Beam { begin: 0.0, end: side.length, x, depth, offset, root: source };
+                self.leave(geometry, 3 * face + k as u32, side, &beam, ends);
+            }
         }
-        Ok(())
+        self.see_straight(geometry, (face, weights), value, source);
     }
 
-    fn advance(&mut self, radius: f64, work: usize) -> Result<()> {
-        let enough = self.crossed.saturating_add(work);
-        let (geometry, surface) = (Arc::clone(&self.geometry), Arc::clone(&self.surface));
-        let vertices = self.waits.len() as u32;
-        let mut batch = std::mem::take(&mut self.batch);
+    /// Sends windows from a vertex across all faces around it, and straight lines along its edges.
+    ///
+    /// Every vertex does, whether paths can bend there or not: where a window is missing, because a half-edge keeps but a
+    /// few, the vertices on its rim take its place.
+    fn send(&mut self, geometry: &ExactGeometry, surface: &Surface, vertex: u32, _settled: f64) {
+        let (value, source) = (self.reached.values[VertexId(vertex)], self.reached.nearest[VertexId(vertex)]);
+        for (face, k) in surface.corners_of_vertex(VertexId(vertex)) {
+            if geometry.portals().in_faces().are_in(face.0) {
+                let mut weights = [0.0; 3];
+                weights[k] = 1.0;
+                self.see_straight(geometry, (face.0, weights), value, source);
+            }
+            let [from, out, last] = geometry.frame(face.0).seen_from(k);
+            let cost = self.medium.cost(face.0);
+            self.reached.offer(out.vertex, value + cost * from.length, source);
+            // Where another face lies there, it has offered that, unless it costs more.
+            if !M::IS_UNIFORM || last.twin().is_none() {
+                self.reached.offer(last.vertex, value + cost * last.length, source);
+            }
+            if !M::IS_UNIFORM {
+                self.send_along(geometry, (face.0, k), (value / cost, source));
+            }
+            let ends = self.distances([last.vertex, out.vertex]).map(|value| value / cost);
+            let value = value / cost;
+            // Whatever lies behind the edge, its ends are nearer.
+            if value + larger(from.length, last.length) >= smaller(ends[0], ends[1]) + out.length {
+                continue;
+            }
+            let (x, depth) = (last.length * last.cos, from.length * out.sin);
+            let beam = Beam { begin: 0.0, end: out.length, x, depth, offset: value, root: source };
+            self.leave(geometry, 3 * face.0 + after(k) as u32, out, &beam, ends);
+        }
+    }
+
+    fn grow(&mut self, geometry: &ExactGeometry, surface: &Surface, radius: f64) {
+        sort_spent([&mut self.crossing, &mut self.reached.sending]);
+        // Vertices wait for the windows of their bucket, which may bring them shorter paths.
+        let mut batch = std::mem::take(&mut self.reached.batch);
+        self.crossing.pop_some(smaller(radius, self.reached.sending.ceiling()), BATCH, &mut batch);
+        self.fetch(geometry, &batch);
         let mut entering = std::mem::take(&mut self.entering);
-        while self.crossed < enough && self.radius() < radius && !self.is_refused() {
-            sort_spent([&mut self.crossing, &mut self.sending]);
-            // Vertices wait for the windows of their bucket, which may bring them shorter paths.
-            self.crossing.pop_some(smaller(radius, self.sending.ceiling()), BATCH, &mut batch);
-            self.fetch(&batch);
-            self.enter(&geometry, &batch, &mut entering);
-            for windows in entering.chunks(BATCH) {
-                self.cross(&geometry, windows);
-            }
-            if batch.is_empty() {
-                self.sending.pop_some(smaller(radius, self.crossing.ceiling()), BATCH, &mut batch);
-                let sends = |item: u32| self.waits.get(item as usize).is_some_and(|&waits| waits);
-                fetch_around(&geometry, &surface, batch.iter().copied().filter(|&item| sends(item)));
-                for &item in &batch {
-                    match item.checked_sub(vertices) {
-                        None => self.emit(&geometry, &surface, item),
-                        Some(end) => self.emerge(&geometry, &surface, end),
-                    }
-                }
-            }
+        self.enter(geometry, &batch, &mut entering);
+        for windows in entering.chunks(BATCH) {
+            self.cross(geometry, windows);
         }
-        (self.batch, self.entering) = (batch, entering);
-        if self.is_refused() { Err(REFUSED) } else { Ok(()) }
+        let are_none = batch.is_empty();
+        (self.reached.batch, self.entering) = (batch, entering);
+        if are_none {
+            self.send_some(geometry, surface, smaller(radius, self.crossing.ceiling()));
+        }
     }
 
-    fn radius(&self) -> f64 {
-        if self.is_refused() { f64::NEG_INFINITY } else { smaller(self.crossing.floor(), self.sending.floor()) }
+    fn floor(&self) -> f64 {
+        smaller(self.crossing.floor(), self.reached.sending.floor())
     }
 
-    fn values(&self) -> &VertexData<f64> {
-        &self.values
-    }
-
-    fn nearest(&self, vertex: VertexId) -> u32 {
-        self.nearest[vertex]
-    }
-
-    fn entered(&self, end: u32) -> Option<f64> {
-        self.ends.entered(end)
-    }
-
-    fn crossed(&self) -> usize {
-        self.crossed
+    fn is_refused(&self) -> bool {
+        self.is_refused | self.labels.is_refused() | self.crossing.is_refused() | self.reached.sending.is_refused()
     }
 }
 

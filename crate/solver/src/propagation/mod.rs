@@ -22,7 +22,6 @@ mod medium;
 mod options;
 mod queue;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 pub use options::{ALL, Carriers, ExactSearch, PropagationOptions, REFRACTED, Windows};
@@ -32,6 +31,7 @@ use crate::error::{Error, Result};
 use crate::exact::{ExactGeometry, Wavefront, checked_sources};
 use front::Front;
 use grow::{Grow, NOWHERE};
+use heatwalk_sparse::{Progress, Stage, report};
 use heatwalk_surface::{Surface, ToSource, VertexData, VertexId};
 use labels::Fixed;
 use march::March;
@@ -187,14 +187,14 @@ impl Propagation {
 
     /// `#V`, distances from the sources, by windows lengths of paths, in the file's unit; infinite where none has been found.
     pub fn values(&self) -> &VertexData<f64> {
-        self.beyond().map_or_else(|| self.exact.values(), Grow::values)
+        self.beyond().map_or_else(|| self.exact.values(), |front| &front.reached().values)
     }
 
     /// `#V`, the number of the source that each value comes from, in the order in which they were given; `None` where none
     /// has been found.
     pub fn nearest_sources(&self) -> VertexData<Option<usize>> {
         let number = |vertex: VertexId| match self.beyond() {
-            Some(front) => front.nearest(vertex),
+            Some(front) => front.reached().nearest[vertex],
             None if self.exact.values()[vertex] < f64::INFINITY => self.exact.source_of(vertex.0),
             None => NOWHERE,
         };
@@ -204,7 +204,7 @@ impl Propagation {
 
     /// Windows that have crossed a face; beyond the exact search, where vertices alone go on, how often faces were crossed.
     pub fn windows(&self) -> usize {
-        self.exact.windows() + self.beyond().map_or(0, Grow::crossed)
+        self.exact.windows() + self.beyond().map_or(0, |front| front.reached().crossed)
     }
 
     /// The distance, as it is now.
@@ -237,8 +237,7 @@ fn front(geometry: Arc<ExactGeometry>, carriers: Carriers, stretches: usize) -> 
     })
 }
 
-/// Distance from sources by propagation. `progress` is told the distance below which all values are final, and can stop the
-/// work.
+/// Distance from sources by propagation.
 ///
 /// # Errors
 /// Those of [`Propagation::new`]; [`Error::Cancelled`].
@@ -246,14 +245,12 @@ pub fn propagated_distance<S: ToSource>(
     surface: &Arc<Surface>,
     sources: &[S],
     options: PropagationOptions,
-    progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    progress: Progress<'_>,
 ) -> Result<Distance> {
     let geometry = Arc::new(ExactGeometry::new(Arc::clone(surface)));
     let mut propagation = Propagation::new(geometry, sources, options)?;
     while !propagation.advance(f64::INFINITY, crate::exact::WORK_BETWEEN_CALLS)? {
-        if progress(propagation.radius()).is_break() {
-            return Err(Error::Cancelled);
-        }
+        report(progress, Stage::Searching { radius: propagation.radius() }, 0.0)?;
     }
     Ok(propagation.distance())
 }

@@ -14,7 +14,6 @@ mod search;
 mod solution;
 
 use std::num::NonZeroUsize;
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 pub use answer::Answer;
@@ -29,8 +28,8 @@ use crate::error::{Error, Result};
 use crate::exact::ExactGeometry;
 use crate::heat::HeatSolver;
 use crate::options::{Method, Parameters};
-use crate::progress::{Step, Steps};
 use crate::propagation::PropagationOptions;
+use heatwalk_sparse::{Progress, go_on};
 use heatwalk_surface::{Source, Surface, ToSource, memory, parallel};
 use search::Search;
 
@@ -90,7 +89,7 @@ impl DistanceSolver {
     /// # Errors
     /// [`Error::BadParameter`]; as [`HeatSolver::new`] for [`Method::Heat`], [`Error::OutOfMemory`] for the others. Then what was
     /// there before still answers.
-    pub fn prepare(&mut self, options: &DistanceOptions, progress: Steps<'_>) -> Result<()> {
+    pub fn prepare(&mut self, options: &DistanceOptions, progress: Progress<'_>) -> Result<()> {
         options.check()?;
         if options.method == Method::Heat {
             self.factored(options.heat, progress)?;
@@ -110,7 +109,7 @@ impl DistanceSolver {
         &mut self,
         sources: &[S],
         options: &DistanceOptions,
-        progress: Steps<'_>,
+        progress: Progress<'_>,
     ) -> Result<Answer> {
         let sources = one_a_place(&self.surface, self.checked(sources)?);
         self.prepare(options, progress)?;
@@ -136,7 +135,7 @@ impl DistanceSolver {
         sources: &[S],
         options: &DistanceOptions,
         threads: NonZeroUsize,
-        progress: Steps<'_>,
+        progress: Progress<'_>,
     ) -> Result<Vec<Answer>> {
         let sources = self.checked(sources)?;
         self.prepare(options, progress)?;
@@ -145,8 +144,7 @@ impl DistanceSolver {
         let (options, scaled) = (&options.per(cost), self.per(cost, &sources)?);
         let answers = if let Some(propagation) = self.propagation(options)? {
             let answer = |search: &mut Search, question: usize| {
-                let go_on = &mut |_| ControlFlow::Continue(());
-                search.answer(&geometry, &scaled[question..][..1], (options, propagation), go_on)
+                search.answer(&geometry, &scaled[question..][..1], (options, propagation), &mut go_on)
             };
             questions::answers(self.searches(threads), count, answer, progress)
         } else {
@@ -233,8 +231,7 @@ impl DistanceSolver {
     }
 
     /// The solver of heat with these parameters. Factors what is absent.
-    fn factored(&mut self, parameters: Parameters, progress: Steps<'_>) -> Result<&HeatSolver> {
-        let progress = &mut |stage, done| progress(Step::Precompute(stage, done));
+    fn factored(&mut self, parameters: Parameters, progress: Progress<'_>) -> Result<&HeatSolver> {
         // Old factors go before new ones are made.
         let Some(mut solver) = self.heat.take().filter(|heat| self.is_present(heat)) else {
             let solver =

@@ -7,8 +7,8 @@ use crate::error::Result;
 use crate::exact::{self, PlaceDistances};
 use crate::options::{Method, PathKind};
 use crate::path::{PathSearch, descend, refract, straighten};
-use crate::progress::Steps;
 use crate::propagation::{REFRACTED, Windows};
+use heatwalk_sparse::Progress;
 use heatwalk_surface::{Path, Source, SurfacePoint, ToPoint};
 
 impl DistanceSolver {
@@ -32,7 +32,7 @@ impl DistanceSolver {
     ///
     /// # Errors
     /// As [`Self::distance`] and [`descend`].
-    pub fn path_between(&mut self, from: SurfacePoint, to: SurfacePoint, progress: Steps<'_>) -> Result<Path> {
+    pub fn path_between(&mut self, from: SurfacePoint, to: SurfacePoint, progress: Progress<'_>) -> Result<Path> {
         let windows = if self.several_costs().is_some() { REFRACTED } else { Windows::default() };
         let options = DistanceOptions { windows, ..DistanceOptions::by(Method::Propagation) };
         let answer = self.distance(&[Source::from(to)], &options, progress)?;

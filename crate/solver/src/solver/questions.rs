@@ -1,12 +1,11 @@
 //! Independent questions on several threads.
 
-use std::ops::ControlFlow;
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 
 use crate::error::{Error, Result};
-use crate::progress::{Step, Steps};
+use heatwalk_sparse::{Progress, Stage, go_on};
 
 /// The answers to questions `0..count`, in their order. Each worker has a thread, the first one the caller's, and takes the
 /// next question when it is done with one. `progress` is told how many are answered, between those of the first worker.
@@ -18,10 +17,10 @@ pub(super) fn answers<W: Send, A: Send>(
     workers: &mut [W],
     count: usize,
     answer: impl Fn(&mut W, usize) -> Result<A> + Sync,
-    progress: Steps<'_>,
+    progress: Progress<'_>,
 ) -> Result<Vec<A>> {
     let (next, done, is_over) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicBool::new(false));
-    let work = |worker: &mut W, between: Steps<'_>| {
+    let work = |worker: &mut W, between: Progress<'_>| {
         let mut answered: Vec<(usize, Result<A>)> = Vec::new();
         while !is_over.load(Ordering::Relaxed) {
             let question = next.fetch_add(1, Ordering::Relaxed);
@@ -30,7 +29,7 @@ pub(super) fn answers<W: Send, A: Send>(
             }
             let mut answer = answer(worker, question);
             let total = done.fetch_add(1, Ordering::Relaxed) + 1;
-            if answer.is_ok() && between(Step::Answered(total)).is_break() {
+            if answer.is_ok() && between(Stage::Answering, total as f64 / count as f64).is_break() {
                 answer = Err(Error::Cancelled);
             }
             if answer.is_err() {
@@ -43,10 +42,7 @@ pub(super) fn answers<W: Send, A: Send>(
     let (first, others) = workers.split_first_mut().expect("a worker");
     let mut answered = thread::scope(|scope| {
         let work = &work;
-        let others: Vec<_> = others
-            .iter_mut()
-            .map(|worker| scope.spawn(move || work(worker, &mut |_| ControlFlow::Continue(()))))
-            .collect();
+        let others: Vec<_> = others.iter_mut().map(|worker| scope.spawn(move || work(worker, &mut go_on))).collect();
         let mut answered = work(first, progress);
         for other in others {
             // A panic there is one here.

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use super::answer::Answer;
 use super::options::DistanceOptions;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::exact::{ExactGeometry, WORK_BETWEEN_CALLS};
 use crate::options::Method;
-use crate::progress::{Step, Steps};
 use crate::propagation::{Propagation, PropagationOptions};
+use heatwalk_sparse::{Progress, Stage, report};
 use heatwalk_surface::Source;
 
 /// The last search, whose memory serves the next one.
@@ -25,16 +25,15 @@ impl Search {
         geometry: &Arc<ExactGeometry>,
         sources: &[Source],
         (asked, options): (&DistanceOptions, PropagationOptions),
-        progress: Steps<'_>,
+        progress: Progress<'_>,
     ) -> Result<Answer> {
         let propagation = Propagation::reusing(self.kept.take(), geometry, sources, options)?;
         let propagation = self.kept.insert(propagation);
         // A value of just the maximum distance is final, too.
         let radius = asked.max_distance.next_up();
         while !propagation.advance(radius, WORK_BETWEEN_CALLS)? {
-            if progress(Step::Radius(propagation.radius())).is_break() {
-                return Err(Error::Cancelled);
-            }
+            let radius = propagation.radius();
+            report(progress, Stage::Searching { radius }, radius / asked.max_distance)?;
         }
         let mut distance = propagation.distance();
         for value in distance.values.as_mut_slice() {

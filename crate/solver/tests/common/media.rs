@@ -3,12 +3,14 @@
 use glam::DVec2;
 use heatwalk::{Costs, FaceData, FaceId, Soup, Surface};
 
-use super::{flat, grid_triangles, random, soup};
+use super::truth::Random;
+use super::{flat, grid_triangles, soup};
 
 /// The unit square in so many edges across, each vertex moved by up to a third of an edge but on the boundary and on the
 /// line x = ½, where the ground changes.
-pub fn jittered_square(edges: u32, mut seed: u64) -> Soup {
-    let mut shift = || (random(&mut seed, 1 << 20) as f64 / f64::from(1 << 20) - 0.5) * 2.0 / 3.0;
+pub fn jittered_square(edges: u32, seed: u64) -> Soup {
+    let mut random = Random::new(seed);
+    let mut shift = || random.between(-1.0, 1.0) / 3.0;
     let mut points = Vec::new();
     for i in 0..=edges {
         for j in 0..=edges {

@@ -10,12 +10,12 @@ pub mod shortness;
 pub mod truth;
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 use glam::DVec3;
 use heatwalk::{
-    Boundary, Distance, ExactRadius, HeatSolver, InputVertex, Parameters, Soup, Surface, TimeStep, VertexId,
+    Boundary, Distance, ExactRadius, HeatSolver, InputVertex, Parameters, Soup, Surface, TimeStep, VertexId, go_on,
 };
+use truth::Random;
 
 pub fn soup(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Soup {
     Soup::single("test", positions, triangles)
@@ -64,11 +64,20 @@ pub fn grid_triangles(first: u32, n: u32) -> impl Iterator<Item = [u32; 3]> {
 }
 
 /// Triangles between random points: edges of many faces, faces through each other, points that hold only tips together.
-pub fn any_triangles(points: usize, seed: &mut u64) -> Soup {
-    let mut coordinate = || random(seed, 1 << 20) as f64 / f64::from(1 << 20);
-    let positions = (0..points).map(|_| DVec3::from_array([(); 3].map(|()| coordinate()))).collect();
-    let triangles = (0..2 * points).map(|_| [(); 3].map(|()| random(seed, points) as u32)).collect();
+pub fn any_triangles(points: usize, random: &mut Random) -> Soup {
+    let positions = (0..points).map(|_| 0.5 * random.point()).collect();
+    let triangles = (0..2 * points).map(|_| [(); 3].map(|()| random.below(points) as u32)).collect();
     soup(positions, triangles)
+}
+
+/// Surfaces of some random triangles.
+pub fn for_any_triangles(seed: u64, mut try_surface: impl FnMut(&Surface, &mut Random)) {
+    let mut random = Random::new(seed);
+    for points in [5, 7, 9, 12, 20, 40] {
+        for _ in 0..8 {
+            try_surface(&surface(&any_triangles(points, &mut random)), &mut random);
+        }
+    }
 }
 
 /// `pages` rectangles of `n × n` quads joined along one edge on the z axis.
@@ -109,6 +118,14 @@ pub fn square(n: u32) -> Soup {
     soup(positions, triangles)
 }
 
+/// Two squares, one above the other, and the first vertex of the second.
+pub fn two_squares(n: u32) -> (Soup, u32) {
+    let (mut two, other) = (square(n), square(n));
+    let first = two.positions.len() as u32;
+    two.add(other.positions.iter().map(|&position| position + DVec3::Z), &other.triangles);
+    (two, first)
+}
+
 /// What is done to a shape.
 #[derive(Clone, Copy)]
 pub struct Damage {
@@ -121,13 +138,13 @@ pub struct Damage {
 }
 
 /// A shape bent, squeezed and torn by random numbers: slivers, saddles, holes, several pieces.
-pub fn damaged(mut soup: Soup, mut seed: u64, Damage { jitter, squeeze, tear }: Damage) -> Soup {
-    let mut random = || random(&mut seed, 1_000_000) as f64 / 1e6;
+pub fn damaged(mut soup: Soup, seed: u64, Damage { jitter, squeeze, tear }: Damage) -> Soup {
+    let mut random = Random::new(seed);
     for position in &mut soup.positions {
-        *position += jitter * (DVec3::new(random(), random(), random()) - 0.5);
+        *position += 0.5 * jitter * random.point();
         position.y *= squeeze;
     }
-    soup.triangles.retain(|_| random() >= tear);
+    soup.triangles.retain(|_| !random.chance(tear));
     if soup.triangles.is_empty() {
         soup.triangles.push([0, 1, 2]);
     }
@@ -145,7 +162,7 @@ pub fn heat_only(time_factor: f64, boundary: Boundary) -> Parameters {
 }
 
 pub fn solver_with(soup: &Soup, parameters: Parameters) -> HeatSolver {
-    HeatSolver::new(surface(soup), parameters, &mut |_, _| ControlFlow::Continue(())).expect("factors")
+    HeatSolver::new(surface(soup), parameters, &mut go_on).expect("factors")
 }
 
 pub fn solver(soup: &Soup, time_factor: f64, boundary: Boundary) -> HeatSolver {
@@ -164,10 +181,4 @@ pub fn distance_from(soup: &Soup, vertex: u32) -> (HeatSolver, Distance) {
 pub fn nearest(surface: &Surface, position: DVec3) -> VertexId {
     let distance = |&vertex: &VertexId| surface.position(vertex).distance_squared(position);
     surface.vertices().min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("vertices")
-}
-
-/// The same sequence of numbers in 0..n on every machine (Knuth's 64-bit linear congruential generator).
-pub fn random(seed: &mut u64, n: usize) -> usize {
-    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-    ((*seed >> 33) as usize) % n
 }

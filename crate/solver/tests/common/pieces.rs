@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
+use super::truth::Random;
 use glam::DVec3;
 use heatwalk::{Element, Soup, Surface, VertexData, VertexId, WeldRule};
 use heatwalk_shapes as shapes;
@@ -76,20 +77,19 @@ impl Pieces {
         }
         let corner = |by: fn(DVec3, DVec3) -> DVec3| positions.iter().copied().reduce(by).expect("a vertex");
         let diagonal = corner(DVec3::min).distance(corner(DVec3::max));
-        let mut seed = 1;
+        let mut random = Random::new(1);
         let (mut soup, mut of_input) = (Soup::default(), Vec::new());
         for (vertices, triangles) in pieces {
             let sum: DVec3 = vertices.iter().map(|&vertex| positions[vertex]).sum();
             let centre = sum / vertices.len() as f64;
-            let first = soup.positions.len() as u32;
-            soup.positions.extend(vertices.iter().map(|&vertex| match change {
+            let changed = vertices.iter().map(|&vertex| match change {
                 Change::Noise(share) => {
-                    let mut part = |_| 2.0 * super::random(&mut seed, 1 << 20) as f64 / f64::from(1 << 20) - 1.0;
+                    let mut part = |_| random.between(-1.0, 1.0);
                     positions[vertex] + share * diagonal * DVec3::from_array([0, 1, 2].map(&mut part))
                 }
                 Change::Scale(factor) => centre + factor * (positions[vertex] - centre),
-            }));
-            soup.triangles.extend(triangles.iter().map(|triangle| triangle.map(|vertex| first + vertex)));
+            });
+            soup.add(changed, &triangles);
             soup.end_part("piece");
             of_input.extend(vertices);
         }

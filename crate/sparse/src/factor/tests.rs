@@ -5,11 +5,13 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::collections::BTreeMap;
 use std::iter::Sum;
+use std::ops::ControlFlow;
 use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 use super::*;
 use crate::ordering::Permutation;
 use crate::pattern::Pattern;
+use crate::progress::go_on;
 use crate::samples::{Mesh, assemble, both_systems, right_side};
 use crate::schur::{Functional, SchurComplement, evaluate};
 use crate::system::System;
@@ -17,10 +19,6 @@ use crate::system::System;
 /// Share of the right side by which a solution may miss it: rounding, by the length of the sums and the growth in the
 /// factor.
 const RESIDUAL: f64 = 1e-12;
-
-fn go_on(_: f64) -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
 
 fn analysed(pattern: &Arc<Pattern>) -> Arc<Symbolic> {
     let permutation = Permutation::fill_reducing(pattern).expect("memory");
@@ -171,7 +169,7 @@ fn rejects_what_does_not_fit() {
     let error = symbolic.factor([&matrix, &indefinite], &mut go_on).map(|_| ()).unwrap_err();
     assert!(matches!(error, Error::NotPositiveDefinite { matrix: 1, .. }), "{error}");
     let large = Mesh::icosphere(4).poisson();
-    let stop = &mut |_| ControlFlow::Break(());
+    let stop = &mut |_, _| ControlFlow::Break(());
     assert_eq!(analysed(large.pattern()).factor([&large], stop).map(|_| ()).unwrap_err(), Error::Cancelled);
     let error = SymmetricMatrix::new(Arc::clone(pattern), vec![1.0]).unwrap_err();
     assert_eq!(error, Error::ValueCount { values: 1, nonzeros: pattern.nonzeros() });

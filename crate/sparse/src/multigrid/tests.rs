@@ -3,13 +3,16 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use super::aggregation::{Coarse, coarsen};
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
+
 use super::*;
 use crate::conjugate_gradients::ConjugateGradients;
 use crate::ordering::Permutation;
+use crate::progress::go_on;
 use crate::samples::{Mesh, right_side};
 use crate::symbolic::Symbolic;
 
@@ -27,7 +30,7 @@ fn steps_and_agreement(matrix: &SymmetricMatrix, bound: f64) -> usize {
     assert!(norm(&rest) <= 1e-9 * norm(&right), "{} of {}", norm(&rest), norm(&right));
     let permutation = Permutation::fill_reducing(matrix.pattern()).expect("memory");
     let symbolic = Arc::new(Symbolic::analyse(matrix.pattern(), permutation).expect("memory"));
-    let [factor] = symbolic.factor([matrix], &mut |_| ControlFlow::Continue(())).expect("positive definite");
+    let [factor] = symbolic.factor([matrix], &mut go_on).expect("positive definite");
     let direct = factor.solve(&right);
     let largest = direct.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
     let difference = solution.iter().zip(&direct).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -70,11 +73,8 @@ fn steps_do_not_grow_with_the_mesh() {
 fn uneven_couplings_are_solved() {
     // A grid whose couplings jump between 10⁻² and 10² from edge to edge, worse than those of slivers.
     let side = 40;
-    let mut seed = 1_u64;
-    let mut weight = || {
-        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        10.0_f64.powi((seed >> 33) as i32 % 5 - 2)
-    };
+    let mut random = SplitMix64::seed_from_u64(1);
+    let mut weight = || 10.0_f64.powi(random.random_range(-2..=2));
     let mut diagonal = vec![0.0; side * side];
     let (mut start, mut sides) = (vec![0], Vec::new());
     for row in 0..side * side {

@@ -4,10 +4,10 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::collections::BTreeMap;
-use std::ops::ControlFlow;
 
 use super::*;
 use crate::matrix::SymmetricMatrix;
+use crate::progress::go_on;
 use crate::samples::{Mesh, assemble};
 use crate::system::System;
 
@@ -43,7 +43,7 @@ fn the_work_of_constraints_counts_the_rows_that_they_reach() {
     let matrix = Mesh::grid(3, 3, 0.5, 1.0).heat();
     let symbolic = analysed(&matrix);
     assert!(matrix.size() <= CONSTRAINT_SAMPLES, "every row is a sample");
-    let [factor] = symbolic.factor([&matrix], &mut |_| ControlFlow::Continue(())).expect("positive definite");
+    let [factor] = symbolic.factor([&matrix], &mut go_on).expect("positive definite");
     let functionals: Vec<_> = (0..matrix.size() as u32).map(|row| vec![(row, 1.0)]).collect();
     let columns = System::cholesky(factor).schur_columns(&functionals).expect("memory");
     let reached: usize = columns.iter().map(|column| column.nonzeros()).sum();

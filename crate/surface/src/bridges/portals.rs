@@ -155,16 +155,16 @@ mod tests {
     #[cfg(target_arch = "wasm32")]
     use wasm_bindgen_test::wasm_bindgen_test as test;
 
+    use rand::{RngExt, SeedableRng};
+    use rand_xoshiro::SplitMix64;
+
     use super::*;
 
     #[test]
     fn spots_that_no_kept_one_stands_for_are_kept_and_no_others() {
         const SPACING: f64 = 0.07;
-        let mut state = 5_u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-        };
+        let mut random = SplitMix64::seed_from_u64(5);
+        let mut random = || random.random_range(-0.5..0.5);
         let spots: Vec<Spot> = (0..3000)
             .map(|number| {
                 let normals = [DVec3::Z, if random() > 0.0 { DVec3::Z } else { -DVec3::Z }];

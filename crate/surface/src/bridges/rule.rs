@@ -1,9 +1,6 @@
 //! Which components are joined, and how that is written.
 
-use std::fmt::{Display, Formatter};
-use std::str::FromStr;
-
-use crate::error::Error;
+use crate::length_rule::length_rule;
 
 /// Which components are joined.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -18,49 +15,4 @@ pub enum BridgeRule {
     Within(f64),
 }
 
-impl Display for BridgeRule {
-    fn fmt(&self, formatter: &mut Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Off => formatter.write_str("off"),
-            Self::Automatic => formatter.write_str("auto"),
-            Self::Within(distance) => distance.fmt(formatter),
-        }
-    }
-}
-
-impl FromStr for BridgeRule {
-    type Err = Error;
-
-    fn from_str(text: &str) -> Result<Self, Error> {
-        match text {
-            "off" => Ok(Self::Off),
-            "auto" => Ok(Self::Automatic),
-            _ => {
-                let distance = text.parse().ok().filter(|distance: &f64| distance.is_finite() && *distance >= 0.0);
-                distance.map(Self::Within).ok_or_else(|| Error::BadParameter {
-                    name: "the distance to bridge",
-                    value: text.to_owned(),
-                    range: "auto, off, or 0 or more",
-                })
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[cfg(target_arch = "wasm32")]
-    use wasm_bindgen_test::wasm_bindgen_test as test;
-
-    #[test]
-    fn rules_are_read_as_they_are_written() {
-        for rule in [BridgeRule::Off, BridgeRule::Automatic, BridgeRule::Within(0.0), BridgeRule::Within(0.25)] {
-            assert_eq!(rule.to_string().parse(), Ok(rule));
-        }
-        for text in ["", "-1", "NaN", "inf", "near"] {
-            assert!(text.parse::<BridgeRule>().is_err(), "{text}");
-        }
-    }
-}
+length_rule!(BridgeRule, Off = "off", "the distance to bridge");

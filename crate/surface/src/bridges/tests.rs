@@ -3,6 +3,9 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
+
 use glam::{DQuat, DVec3, EulerRot};
 
 use super::*;
@@ -54,9 +57,7 @@ pub fn sphere(centre: [f64; 3], radius: f64) -> Shape {
 pub fn assembled(shapes: &[Shape]) -> Surface {
     let mut soup = Soup::default();
     for (positions, triangles) in shapes {
-        let first = soup.positions.len() as u32;
-        soup.positions.extend(positions);
-        soup.triangles.extend(triangles.iter().map(|triangle| triangle.map(|corner| first + corner)));
+        soup.add(positions.iter().copied(), triangles);
         soup.end_part("shape");
     }
     let surface = Surface::build(&soup).expect("a surface");
@@ -351,12 +352,8 @@ fn of_rims_that_all_face_each_other_so_many_portals_are_kept_as_fit_into_memory(
 
 /// So many triangles through the middle of a ball, each of which pierces nearly all others.
 fn pierced(count: u32) -> Surface {
-    let mut state = 7_u64;
-    let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) as f64 / (1_u64 << 30) as f64 - 1.0
-    };
-    let mut point = || DVec3::new(random(), random(), random());
+    let mut random = SplitMix64::seed_from_u64(7);
+    let mut point = || DVec3::from_array([(); 3].map(|()| random.random_range(-1.0..1.0)));
     let mut shape = || {
         let [first, second, off] = [point(), point(), point()];
         vec![first, second, 0.1 * off - first - second]

@@ -184,6 +184,9 @@ fn arrange(points: &[DVec3], order: &mut [u32], axes: &mut [u8]) {
 
 #[cfg(test)]
 mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_xoshiro::SplitMix64;
+
     use super::*;
 
     #[cfg(target_arch = "wasm32")]
@@ -191,12 +194,9 @@ mod tests {
 
     #[test]
     fn the_nearest_point_is_that_of_all_that_are_left() {
-        let mut state = 5_u64;
+        let mut random = SplitMix64::seed_from_u64(5);
         // Few values, so that many points are equally far away.
-        let mut coordinate = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            ((state >> 33) % 12) as f64
-        };
+        let mut coordinate = || f64::from(random.random_range(0..12));
         let points: Vec<DVec3> = (0..500).map(|_| DVec3::new(coordinate(), coordinate(), coordinate())).collect();
         let mut reach: Vec<f64> = (0..500).map(|point| f64::from(point % 5)).collect();
         let mut tree = Tree::new(&points, &reach);

@@ -62,13 +62,13 @@ pub struct Node {
 /// Nodes that form trees.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
-pub struct Hierarchy {
+pub struct NodeTree {
     nodes: Vec<Node>,
     /// Parents before children.
     order: Vec<usize>,
 }
 
-impl Hierarchy {
+impl NodeTree {
     /// Of nodes in any order.
     ///
     /// # Errors

@@ -12,14 +12,14 @@ use glam::{DVec3, Vec3};
 use crate::error::{Error, Result};
 pub use clip::{Channel, Clip, Interpolation, Target, Track};
 pub use deformer::{Deformer, Influences, MorphTarget, Skin};
-pub use hierarchy::{Hierarchy, Node, Placement};
+pub use hierarchy::{Node, NodeTree, Placement};
 use state::State;
 
 /// How the vertices of a soup move.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motion {
-    hierarchy: Hierarchy,
+    hierarchy: NodeTree,
     skins: Vec<Skin>,
     /// Those that a clip moves, each of other vertices.
     deformers: Vec<Deformer>,
@@ -41,7 +41,7 @@ impl Motion {
     /// # Errors
     /// [`Error::Motion`] for a node, a joint or a channel that names what does not exist, and for a deformer whose arrays have
     /// other lengths than its vertices.
-    pub fn new(hierarchy: Hierarchy, skins: Vec<Skin>, deformers: Vec<Deformer>, clips: Vec<Clip>) -> Result<Self> {
+    pub fn new(hierarchy: NodeTree, skins: Vec<Skin>, deformers: Vec<Deformer>, clips: Vec<Clip>) -> Result<Self> {
         let nodes = hierarchy.nodes().len();
         let bad = |thing: &str| Err(Error::Motion { problem: format!("{thing} does not exist") });
         for clip in &clips {

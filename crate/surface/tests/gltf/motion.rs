@@ -6,9 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use glam::{DQuat, DVec3, Vec3};
-use heatwalk_surface::motion::{
-    Channel, Clip, Deformer, Hierarchy, Influences, Interpolation, Motion, Node, Placement,
-};
+use heatwalk_surface::motion::{Channel, Clip, Deformer, Influences, Interpolation, Motion, Node, NodeTree, Placement};
 use heatwalk_surface::motion::{Target, Track};
 use heatwalk_surface::{Error, Soup};
 use serde_json::{Value, json};
@@ -217,8 +215,8 @@ fn damaged_animations_do_not_panic() {
 #[test]
 fn motions_made_in_code_are_checked() {
     let node = |parent| Node { parent, placement: Placement::IDENTITY };
-    assert!(matches!(Hierarchy::new(vec![node(Some(1)), node(Some(0))]), Err(Error::Motion { .. })));
-    assert!(matches!(Hierarchy::new(vec![node(Some(1))]), Err(Error::Motion { .. })));
+    assert!(matches!(NodeTree::new(vec![node(Some(1)), node(Some(0))]), Err(Error::Motion { .. })));
+    assert!(matches!(NodeTree::new(vec![node(Some(1))]), Err(Error::Motion { .. })));
     let deformer = Deformer {
         vertices: 0..1,
         node: 0,
@@ -236,7 +234,7 @@ fn motions_made_in_code_are_checked() {
         left_out: 0,
     };
     let motion = |deformer: Deformer, clip| {
-        Motion::new(Hierarchy::new(vec![node(None)])?, Vec::new(), vec![deformer], vec![clip])
+        Motion::new(NodeTree::new(vec![node(None)])?, Vec::new(), vec![deformer], vec![clip])
     };
     let sound = motion(deformer.clone(), clip(0)).unwrap();
     let mut pose = Soup::single("point", vec![DVec3::X], Vec::new()).pose();

@@ -1,10 +1,11 @@
 //! Where a solid is: inside or outside of points, and where it ends along the edges of a lattice.
 
 use std::num::NonZeroUsize;
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 
 use glam::DVec3;
 use heatwalk::surface::parallel;
+use heatwalk::{Progress, Stage};
 
 use super::error::{Error, Result};
 use super::hierarchy::Hierarchy;
@@ -34,9 +35,6 @@ const PRECISION: f64 = 1e-4;
 /// Powers of the inverse of the root of x⁴ = x + 1: their multiples, less whole numbers, are spread evenly in a cube (Roberts, "The
 /// unreasonable effectiveness of quasirandom sequences", 2018).
 const SEQUENCE: DVec3 = DVec3::new(0.819_172_513_396_164_5, 0.671_043_606_703_789_3, 0.549_700_477_901_970_3);
-
-/// Called between slices of work with the share done so far, 0 to 1. `Break` ends the work with [`Error::Cancelled`].
-pub type Progress<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
 
 /// What is inside of oriented triangles.
 #[derive(Debug)]
@@ -86,7 +84,7 @@ impl Field {
         lattice: &Lattice,
         threads: NonZeroUsize,
         shares: Range<f64>,
-        progress: Progress,
+        progress: Progress<'_>,
     ) -> Result<(Vec<bool>, Vec<usize>)> {
         let blocks = lattice.blocks();
         let masks = slices(blocks.len(), BLOCKS, threads, shares, progress, |block| {
@@ -144,7 +142,7 @@ impl Field {
         edges: &[(u32, u8)],
         threads: NonZeroUsize,
         shares: Range<f64>,
-        progress: Progress,
+        progress: Progress<'_>,
     ) -> Result<Vec<Crossing>> {
         slices(edges.len(), EDGES, threads, shares, progress, |index| {
             let (inside, direction) = (edges[index].0 as usize, usize::from(edges[index].1));
@@ -161,7 +159,7 @@ impl Field {
         near: &[usize],
         threads: NonZeroUsize,
         shares: Range<f64>,
-        progress: Progress,
+        progress: Progress<'_>,
     ) -> Result<f64> {
         let corners = |tetrahedron: usize| soup.tetrahedra[tetrahedron].map(|corner| soup.positions[corner as usize]);
         let boxes = Boxes::new(soup.tetrahedra.len(), |tetrahedron| Bounds::of(&corners(tetrahedron), 0.0));
@@ -186,7 +184,7 @@ impl Field {
         points: &[usize],
         threads: NonZeroUsize,
         shares: Range<f64>,
-        progress: Progress,
+        progress: Progress<'_>,
     ) -> Result<Vec<DVec3>> {
         slices(points.len(), EDGES, threads, shares, progress, |index| self.to_nearest(lattice.position(points[index])))
     }
@@ -219,14 +217,14 @@ fn slices<T: bytemuck::Zeroable + Send>(
     slice: usize,
     threads: NonZeroUsize,
     shares: Range<f64>,
-    progress: Progress,
+    progress: Progress<'_>,
     value: impl Fn(usize) -> T + Sync,
 ) -> Result<Vec<T>> {
     let mut values = Vec::with_capacity(count);
     let slice = slice * threads.get();
     for start in (0..count).step_by(slice) {
         let done = shares.start + (shares.end - shares.start) * start as f64 / count as f64;
-        if progress(done).is_break() {
+        if progress(Stage::Filling, done).is_break() {
             return Err(Error::Cancelled);
         }
         let length = slice.min(count - start);

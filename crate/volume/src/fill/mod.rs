@@ -6,8 +6,7 @@
 //!
 //! ```
 //! use std::num::NonZeroUsize;
-//! use std::ops::ControlFlow;
-//! use heatwalk::Surface;
+//! use heatwalk::{Surface, go_on};
 //! use heatwalk_shapes::icosphere;
 //! use heatwalk_volume::fill::{Resolution, Solid};
 //!
@@ -15,7 +14,7 @@
 //! let soup = icosphere(3);
 //! let solid = Solid::new(&soup, &Surface::build(&soup)?, NonZeroUsize::MIN)?;
 //! println!("about {} tetrahedra", solid.estimate(Resolution::Cells(20.0))?.tetrahedra);
-//! let filled = solid.fill(Resolution::Cells(20.0), &mut |_| ControlFlow::Continue(()))?;
+//! let filled = solid.fill(Resolution::Cells(20.0), &mut go_on)?;
 //! let volume = filled.report.surface_volume.expect("it has no holes");
 //! assert!((filled.report.volume / volume - 1.0).abs() < 0.01);
 //! let [least, greatest] = filled.report.dihedral_angles;
@@ -37,5 +36,4 @@ mod stuffing;
 mod triangle;
 
 pub use error::{Error, Result};
-pub use field::Progress;
 pub use solid::{Estimate, FillReport, Filled, Resolution, Solid};

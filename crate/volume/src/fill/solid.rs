@@ -5,10 +5,10 @@ use std::num::NonZeroUsize;
 
 use glam::DVec3;
 use heatwalk::surface::{memory, parallel};
-use heatwalk::{HalfedgeId, Soup, Surface};
+use heatwalk::{HalfedgeId, Progress, Soup, Stage, Surface};
 
 use super::error::{Error, Result};
-use super::field::{Field, Progress};
+use super::field::Field;
 use super::hierarchy::Hierarchy;
 use super::lattice::Lattice;
 use super::orientation::oriented;
@@ -193,11 +193,11 @@ impl Solid {
         }
     }
 
-    /// Fills it, to the same bits every time. `progress` is called some milliseconds apart with the share done.
+    /// Fills it, to the same bits every time.
     ///
     /// # Errors
     /// [`Error::BadParameter`], [`Error::TooCoarse`], [`Error::OutOfMemory`], [`Error::Cancelled`].
-    pub fn fill(&self, resolution: Resolution, progress: Progress) -> Result<Filled> {
+    pub fn fill(&self, resolution: Resolution, progress: Progress<'_>) -> Result<Filled> {
         let cells = self.cells(resolution)?;
         let lattice = self.lattice(cells)?;
         let (is_inside, near) = self.field.insides(&lattice, self.threads, 0.0..0.35, progress)?;
@@ -230,7 +230,7 @@ impl Solid {
         } else {
             self.field.missing(&first.0, &lattice, &near, self.threads, 0.75..0.9, progress)?
         };
-        if progress(0.9).is_break() {
+        if progress(Stage::Filling, 0.9).is_break() {
             return Err(Error::Cancelled);
         }
         let (soup, is_on_surface) = self.with_volume(missing, lattice.side, first, stuffed);

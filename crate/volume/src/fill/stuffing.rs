@@ -222,21 +222,14 @@ mod tests {
 
     use super::{Sign, Stuffing, cut_edges};
     use crate::fill::lattice::Lattice;
+    use rand::{RngExt, SeedableRng};
+    use rand_xoshiro::SplitMix64;
+
     use crate::fill::quality::{boundary, dihedral_angles, volume};
     use crate::soup::TetSoup;
 
     #[cfg(target_arch = "wasm32")]
     use wasm_bindgen_test::wasm_bindgen_test as test;
-
-    /// Numbers in [0, 1), the same at every run.
-    fn random(seed: u64) -> impl FnMut() -> f64 {
-        let mut state = seed;
-        move || {
-            // Multiplier and increment of Knuth's MMIX.
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64
-        }
-    }
 
     /// Whether faces of one tetrahedron are on the surface and close: each edge is of an even number of them.
     fn is_conforming(soup: &TetSoup, is_on_surface: &[bool]) -> bool {
@@ -254,7 +247,8 @@ mod tests {
         let lattice = Lattice::new(DVec3::ZERO, 1.0, [24, 24, 24]);
         let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
         for seed in 0..20 {
-            let mut random = random(seed);
+            let mut random = SplitMix64::seed_from_u64(seed);
+            let mut random = || random.random::<f64>();
             let share = random();
             let is_inner = |point: usize| {
                 lattice.position(point).cmpgt(DVec3::splat(1.75)).all()

@@ -9,7 +9,6 @@ mod lengths;
 mod logarithm;
 mod unit;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -175,9 +174,4 @@ impl HeatDiscretization for Tetrahedra {
     fn bounds(&self, _: Field) -> Option<&Bounds> {
         Some(&self.bounds)
     }
-}
-
-/// Nobody stops it.
-pub(crate) fn go_on(_: Stage, _: f64) -> ControlFlow<()> {
-    ControlFlow::Continue(())
 }

@@ -58,7 +58,7 @@ struct Slopes<'a> {
 }
 
 /// A straight step within a tetrahedron.
-struct Step {
+struct Next {
     place: DVec3,
     start: Start,
     value: f64,
@@ -121,8 +121,8 @@ impl Slopes<'_> {
     }
 
     /// The steepest step down the gradient.
-    fn step(&self, place: DVec3, start: Start) -> Option<Step> {
-        let mut steepest: Option<(f64, Step)> = None;
+    fn step(&self, place: DVec3, start: Start) -> Option<Next> {
+        let mut steepest: Option<(f64, Next)> = None;
         for tetrahedron in self.around(start) {
             let gradient = self.distance.gradient_in(self.mesh, tetrahedron);
             let cost = self.medium.cost(tetrahedron);
@@ -138,7 +138,7 @@ impl Slopes<'_> {
     }
 
     /// To the face where a direction leaves a tetrahedron, if it leads into it.
-    fn through(&self, place: DVec3, tetrahedron: u32, direction: DVec3) -> Option<Step> {
+    fn through(&self, place: DVec3, tetrahedron: u32, direction: DVec3) -> Option<Next> {
         let corners = self.mesh.corners(TetId(tetrahedron));
         let here = weights(corners, place);
         let there = weights(corners, place + direction);
@@ -160,12 +160,12 @@ impl Slopes<'_> {
         let neighbor = self.medium.sight(self.mesh).neighbors[tetrahedron as usize][corner];
         let next = if neighbor == NONE { tetrahedron } else { neighbor };
         let value = self.value_in(place, tetrahedron);
-        Some(Step { place, start: Start::Inside(next), value, cost: self.medium.cost(tetrahedron) })
+        Some(Next { place, start: Start::Inside(next), value, cost: self.medium.cost(tetrahedron) })
     }
 
     /// To the vertex of the tetrahedra around from which the way is shortest.
-    fn lowest(&self, place: DVec3, start: Start, value: f64) -> Option<Step> {
-        let mut best: Option<(f64, Step)> = None;
+    fn lowest(&self, place: DVec3, start: Start, value: f64) -> Option<Next> {
+        let mut best: Option<(f64, Next)> = None;
         for tetrahedron in self.around(start) {
             let cost = self.medium.cost(tetrahedron);
             for vertex in self.mesh.tetrahedra()[tetrahedron as usize] {
@@ -173,7 +173,7 @@ impl Slopes<'_> {
                 let lower = self.distance.values[vertex as usize];
                 let total = lower + cost * place.distance(there);
                 if lower < value && best.as_ref().is_none_or(|(least, _)| total < *least) {
-                    best = Some((total, Step { place: there, start: Start::Vertex(vertex), value: lower, cost }));
+                    best = Some((total, Next { place: there, start: Start::Vertex(vertex), value: lower, cost }));
                 }
             }
         }

@@ -4,9 +4,10 @@ use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
 
 use super::icosahedron::{faces_of, icosahedron};
-use crate::random::random;
 use crate::soup::TetSoup;
 
 /// Radius of the bends of a [`pipe`].
@@ -104,12 +105,12 @@ pub fn pipe(radius: f64, cells: usize, jitter: f64) -> TetSoup {
     let length = 3.0 * STRAIGHT + TAU * BEND;
     let cell = radius / cells as f64;
     let layers = (length / cell).round() as usize;
-    let mut state = 1;
+    let mut random = SplitMix64::seed_from_u64(1);
     prisms(&triangles, places.len(), layers, |vertex, layer| {
         let mut along = length * layer as f64 / layers as f64;
         let mut across = radius * places[vertex];
         if vertex < rim && (1..layers).contains(&layer) {
-            let mut shift = || cell * jitter * (2.0 * random(&mut state) - 1.0);
+            let mut shift = || cell * jitter * (2.0 * random.random::<f64>() - 1.0);
             across += DVec2::new(shift(), shift());
             along += shift();
         }
@@ -192,12 +193,12 @@ pub fn pillared_cave(inner_radius: f64, pillar: f64, cells: usize, jitter: f64) 
     let mut is_rim = vec![false; directions.len()];
     let open = sides.iter().filter(|&(_, &count)| count == 1);
     open.flat_map(|(edge, _)| edge).for_each(|&vertex| is_rim[vertex as usize] = true);
-    let mut state = 1;
+    let mut random = SplitMix64::seed_from_u64(1);
     prisms(&triangles, directions.len(), layers, |vertex, layer| {
         let mut direction = directions[vertex];
         let mut share = layer as f64 / layers as f64;
         if !is_rim[vertex] && (1..layers).contains(&layer) {
-            let mut shift = || jitter * (2.0 * random(&mut state) - 1.0);
+            let mut shift = || jitter * (2.0 * random.random::<f64>() - 1.0);
             direction += cell * DVec3::new(shift(), shift(), shift());
             share += shift() / layers as f64;
         }

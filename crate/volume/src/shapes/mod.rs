@@ -9,8 +9,9 @@ use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
 
-use crate::random::random;
 use crate::soup::TetSoup;
 use icosahedron::{faces_of, icosahedron};
 
@@ -63,13 +64,13 @@ impl Grid<'_> {
                 }
             }
         }
-        let mut state = 1;
+        let mut random = SplitMix64::seed_from_u64(1);
         let mut positions = vec![DVec3::ZERO; count];
         for x in 0..=nx {
             for y in 0..rows {
                 for z in 0..=nz {
                     let index = number([x, y, z]) as usize;
-                    let shift = DVec3::from_array([0; 3].map(|_| self.jitter * (2.0 * random(&mut state) - 1.0)));
+                    let shift = DVec3::from_array([0; 3].map(|_| self.jitter * (2.0 * random.random::<f64>() - 1.0)));
                     let shift = if cells_around[index] == 8 { shift } else { DVec3::ZERO };
                     let cells = DVec3::new(nx as f64, ny as f64, nz as f64);
                     positions[index] = (self.map)((DVec3::new(x as f64, y as f64, z as f64) + shift) / cells);
@@ -103,7 +104,7 @@ fn icosahedral(layers: usize, first: usize, jitter: f64, radius: &dyn Fn(f64) ->
     let corners = icosahedron();
     let mut soup = TetSoup::default();
     let mut numbers: HashMap<[(usize, usize); 3], u32> = HashMap::new();
-    let mut state = 1;
+    let mut random = SplitMix64::seed_from_u64(1);
     for [a, b, c] in faces_of(&corners) {
         let mut vertex = |[x, y, z]: [usize; 3]| {
             // Weights of a, b and c in layer x. A vertex is known by those that are not 0, also in another face.
@@ -115,7 +116,7 @@ fn icosahedral(layers: usize, first: usize, jitter: f64, radius: &dyn Fn(f64) ->
                     weights.iter().map(|&(corner, weight)| corners[corner] * weight as f64).sum();
                 let mut layer = x as f64;
                 if x > first && x < layers {
-                    let mut shift = || jitter * (2.0 * random(&mut state) - 1.0);
+                    let mut shift = || jitter * (2.0 * random.random::<f64>() - 1.0);
                     direction += DVec3::new(shift(), shift(), shift());
                     layer += shift();
                 }

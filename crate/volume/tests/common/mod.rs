@@ -13,6 +13,17 @@ pub fn mesh(soup: &TetSoup) -> TetMesh {
     TetMesh::build(soup).unwrap()
 }
 
+/// Two of a mesh, apart.
+pub fn two_of(mut soup: TetSoup) -> TetSoup {
+    let count = soup.positions.len() as u32;
+    let shifted: Vec<DVec3> = soup.positions.iter().map(|&position| position + 3.0 * DVec3::X).collect();
+    soup.positions.extend(shifted);
+    let renumbered: Vec<[u32; 4]> =
+        soup.tetrahedra.iter().map(|corners| corners.map(|corner| corner + count)).collect();
+    soup.tetrahedra.extend(renumbered);
+    soup
+}
+
 /// The vertex nearest to a place.
 pub fn nearest(mesh: &TetMesh, place: DVec3) -> VertexId {
     let far = |vertex: &usize| mesh.positions()[*vertex].distance_squared(place);
@@ -54,28 +65,5 @@ fn around_circle([a, b]: [f64; 2], angle: f64, radius: f64) -> f64 {
         tangent(a) + tangent(b) + radius * arc
     } else {
         (a * a + b * b - 2.0 * a * b * angle.cos()).max(0.0).sqrt()
-    }
-}
-
-/// Numbers that look random, the same on every machine: SplitMix64.
-pub struct Random(u64);
-
-impl Random {
-    pub fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    /// From 0 to 1.
-    pub fn share(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Below `count`.
-    pub fn below(&mut self, count: usize) -> usize {
-        ((self.share() * count as f64) as usize).min(count - 1)
     }
 }

@@ -6,18 +6,17 @@ use std::collections::{BinaryHeap, HashSet};
 
 use glam::{DMat3, DVec3};
 use heatwalk_volume::{TetMesh, TetSoup};
-
-use super::Random;
+use rand::RngExt;
+use rand_xoshiro::SplitMix64;
 
 /// How far away the corners of the first tetrahedron are. Flat tetrahedra of the hull whose circumspheres reach there are left out.
 const FAR: f64 = 1e3;
 
 /// Delaunay tetrahedra of `points` places in the unit cube, without a share of them: those whose number at random is below `share`.
-pub fn riddled(points: usize, share: f64, random: &mut Random) -> TetSoup {
-    let positions: Vec<DVec3> =
-        (0..points).map(|_| DVec3::new(random.share(), random.share(), random.share())).collect();
+pub fn riddled(points: usize, share: f64, random: &mut SplitMix64) -> TetSoup {
+    let positions: Vec<DVec3> = (0..points).map(|_| DVec3::from_array(random.random())).collect();
     let mut tetrahedra = delaunay(&positions);
-    tetrahedra.retain(|_| random.share() >= share);
+    tetrahedra.retain(|_| random.random::<f64>() >= share);
     TetSoup { positions, tetrahedra }
 }
 

@@ -1,5 +1,7 @@
 //! Readers and writers of tetrahedral meshes: the same mesh in every format, and damaged copies of it.
 
+#[path = "../../../surface/tests/reading/damage.rs"]
+mod damage;
 mod files;
 #[cfg(not(target_arch = "wasm32"))]
 #[cfg(feature = "meshio")]
@@ -12,6 +14,7 @@ use heatwalk::surface::{Error as FileError, WarningCode};
 use heatwalk_volume::TetSoup;
 use heatwalk_volume::io::{self, CellCounts, Error, Format, Result, TetFile, write};
 
+use damage::damaged_copies;
 use files::{Encoding, Mesh, TETRAHEDRON, TRIANGLE};
 
 #[cfg(target_arch = "wasm32")]
@@ -281,23 +284,4 @@ fn read_damaged(name: &str, bytes: &[u8], other: &[u8]) {
     if let Ok(TetFile { soup, .. }) = io::read(name, bytes, &|_| Some(other.to_vec())) {
         assert!(soup.tetrahedra.iter().flatten().all(|&corner| (corner as usize) < soup.positions.len()));
     }
-}
-
-const DAMAGED_COPIES: usize = 2000;
-
-/// Copies with one to three random bytes replaced, the same at every run.
-fn damaged_copies(bytes: &[u8]) -> impl Iterator<Item = Vec<u8>> {
-    let mut state = 1_u64;
-    let mut random = move |below: usize| {
-        // Multiplier and increment of Knuth's MMIX.
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) as usize % below
-    };
-    (0..DAMAGED_COPIES).map(move |_| {
-        let mut damaged = bytes.to_vec();
-        for _ in 0..=random(3) {
-            damaged[random(bytes.len())] = random(256) as u8;
-        }
-        damaged
-    })
 }

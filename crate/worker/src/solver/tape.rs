@@ -1,10 +1,10 @@
 //! Lengths between two places, and areas within closed curves, beside the field and without touching it.
 
-use heatwalk::{FaceId, Path, PathPoint, Place, Source, Surface, SurfacePoint, enclosed};
+use heatwalk::{FaceId, Path, PathPoint, Place, Source, Surface, SurfacePoint, enclosed, go_on};
 use heatwalk_bindings::Result;
 use wasm_bindgen::prelude::*;
 
-use super::{Solver, go_on};
+use super::Solver;
 use crate::measuring::{Enclosure, Leg};
 
 impl Solver {

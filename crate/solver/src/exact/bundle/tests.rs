@@ -49,7 +49,7 @@ fn assert_same(bundle: &Bundle, windows: &[Beam]) {
 
 #[test]
 fn windows_of_a_bundle_cross_faces_as_they_do_alone() {
-    let mut numbers = Numbers(3);
+    let mut numbers = Numbers::new(3);
     let (mut crossed, mut seen, mut most_seen) = (0, 0, 0);
     for _ in 0..400 {
         let (mut windows, mut length) = (fan(&mut numbers, 40), 1.0);
@@ -90,7 +90,7 @@ fn windows_of_a_bundle_cross_faces_as_they_do_alone() {
 
 #[test]
 fn no_window_is_nearer_than_the_bound_of_its_bundle() {
-    let mut numbers = Numbers(5);
+    let mut numbers = Numbers::new(5);
     for _ in 0..400 {
         let (windows, length) = (fan(&mut numbers, 40), 1.0);
         let bundle = Bundle::new(windows.clone(), length);

@@ -39,7 +39,7 @@ fn assert_in_order(list: &List) {
 
 #[test]
 fn bundles_lie_between_windows_and_hold_the_rest() {
-    let mut numbers = Numbers(11);
+    let mut numbers = Numbers::new(11);
     for _ in 0..300 {
         let mut list = list(&mut numbers);
         assert_in_order(&list);
@@ -57,7 +57,7 @@ fn bundles_lie_between_windows_and_hold_the_rest() {
 
 #[test]
 fn what_is_not_kept_is_followed_by_windows_of_the_bundle_beside() {
-    let mut numbers = Numbers(13);
+    let mut numbers = Numbers::new(13);
     for _ in 0..300 {
         let mut list = list(&mut numbers);
         let (before, outside) = (all(&list), list.windows.clone());
@@ -72,7 +72,7 @@ fn what_is_not_kept_is_followed_by_windows_of_the_bundle_beside() {
 
 #[test]
 fn clipping_a_list_is_clipping_its_windows() {
-    let mut numbers = Numbers(17);
+    let mut numbers = Numbers::new(17);
     let mut lost = 0;
     for _ in 0..300 {
         let mut list = list(&mut numbers);

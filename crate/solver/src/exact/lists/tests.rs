@@ -39,7 +39,7 @@ fn leaving(numbers: &mut Numbers, first_root: u32) -> Vec<Beam> {
 
 #[test]
 fn a_list_keeps_the_nearest_window_of_each_place() {
-    let mut numbers = Numbers(7);
+    let mut numbers = Numbers::new(7);
     let mut kept = 0;
     for _ in 0..2_000 {
         let mut lists = Lists::new(2);

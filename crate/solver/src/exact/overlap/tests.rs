@@ -25,7 +25,7 @@ impl Numbers {
 
 #[test]
 fn each_place_is_kept_by_the_nearer_window() {
-    let mut numbers = Numbers(1);
+    let mut numbers = Numbers::new(1);
     let mut changes = [0; 3];
     for _ in 0..20_000 {
         let [first, second] = numbers.overlap();

@@ -1,9 +1,7 @@
 //! What the methods answer on a mesh whose distances are known.
 
-use std::ops::ControlFlow;
-
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{DistanceOptions, DistanceSolver, Element, Error, Method, Surface, VertexId};
+use heatwalk::{DistanceOptions, DistanceSolver, Element, Error, Method, Surface, VertexId, go_on};
 
 use super::{Case, Random, Right};
 
@@ -100,8 +98,7 @@ impl Examined {
         let mut found = Findings::default();
         let mut rows = Vec::new();
         for (at, &source) in self.sources.iter().enumerate() {
-            let answer =
-                self.solver.distance(&[source], &DistanceOptions::by(method), &mut |_| ControlFlow::Continue(()))?;
+            let answer = self.solver.distance(&[source], &DistanceOptions::by(method), &mut go_on)?;
             self.compare(method, at, answer.distance.values.as_slice(), &mut found);
             rows.push(answer.distance.values);
         }

@@ -1,8 +1,8 @@
 //! Random numbers, the same on every machine.
 
 use glam::{DQuat, DVec3};
+use rand::{Rng, RngExt, SeedableRng};
 use rand_xoshiro::SplitMix64;
-use rand_xoshiro::rand_core::{Rng, SeedableRng};
 
 pub struct Random(SplitMix64);
 
@@ -13,8 +13,7 @@ impl Random {
 
     /// From 0 to below 1.
     pub fn share(&mut self) -> f64 {
-        // As many bits as a share has: 53.
-        (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+        self.0.random()
     }
 
     pub fn between(&mut self, low: f64, high: f64) -> f64 {

@@ -3,6 +3,9 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
+
 use glam::{DQuat, DVec3, EulerRot};
 
 use crate::bridges::tests::{assembled, cuboid, sphere};
@@ -53,15 +56,11 @@ fn the_nearest_groups_are_linked_first() {
 #[test]
 fn links_are_a_minimum_spanning_tree() {
     const BOXES: usize = 60;
-    let mut state = 3_u64;
-    let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1_u64 << 53) as f64
-    };
+    let mut random = SplitMix64::seed_from_u64(3);
     let boxes: Vec<[[f64; 3]; 2]> = (0..BOXES)
         .map(|_| {
-            let low = [0, 1, 2].map(|_| 10.0 * random());
-            [low, low.map(|low| low + 0.2 + random())]
+            let low = [0, 1, 2].map(|_| random.random_range(0.0..10.0));
+            [low, low.map(|low| low + random.random_range(0.2..1.2))]
         })
         .collect();
     let distance = |a: usize, b: usize| {

@@ -3,29 +3,21 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
+
 use super::*;
 use crate::triangle;
 
-/// Numbers that look random (Knuth's MMIX generator).
-struct Random(u64);
-
-impl Random {
-    /// From 0 to 1.
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as f64 / (1_u64 << 31) as f64
-    }
-
-    /// Corners in a cube of side 3, or on whole numbers in one of side 2: there, sides are parallel, meet and lie in one plane.
-    fn triangle(&mut self, is_whole: bool) -> Triangle {
-        loop {
-            let corners = [(); 3].map(|()| {
-                let corner = DVec3::new(self.next(), self.next(), self.next());
-                if is_whole { (2.0 * corner).round() } else { 3.0 * corner }
-            });
-            if triangle::length(area_vector(corners)) > 0.01 {
-                return corners;
-            }
+/// Corners in a cube of side 3, or on whole numbers in one of side 2: there, sides are parallel, meet and lie in one plane.
+fn random_triangle(random: &mut SplitMix64, is_whole: bool) -> Triangle {
+    loop {
+        let corners = [(); 3].map(|()| {
+            let corner = DVec3::from_array(random.random());
+            if is_whole { (2.0 * corner).round() } else { 3.0 * corner }
+        });
+        if triangle::length(area_vector(corners)) > 0.01 {
+            return corners;
         }
     }
 }
@@ -63,11 +55,11 @@ fn assert_inside(weights: [f64; 3]) {
 
 #[test]
 fn the_distance_is_that_of_samples() {
-    let mut random = Random(1);
+    let mut random = SplitMix64::seed_from_u64(1);
     let (mut crossings, mut touching, mut apart, mut beyond) = (0, 0, 0, 0);
     for number in 0..120 {
         let is_whole = number % 2 == 1;
-        let triangles = [random.triangle(is_whole), random.triangle(is_whole)];
+        let triangles = [(); 2].map(|()| random_triangle(&mut random, is_whole));
         let sampled = sampled_distance(&triangles);
         let pair = nearest(&triangles, [Features::ALL; 2], f64::INFINITY, 0.0).expect("a pair");
         pair.weights.into_iter().for_each(assert_inside);

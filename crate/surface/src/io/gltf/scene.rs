@@ -5,11 +5,11 @@ use gltf::json::{self, Root};
 
 use super::format::{GLTF, element};
 use crate::error::{Error, Result};
-use crate::motion::{Hierarchy, Node, Placement};
+use crate::motion::{Node, NodeTree, Placement};
 
 pub struct Scene {
     /// Every node of the file, in the scene or not: joints of a skin may stand outside.
-    pub hierarchy: Hierarchy,
+    pub hierarchy: NodeTree,
     /// Where each of them stands.
     pub world_from_node: Vec<DMat4>,
     /// Nodes of the scene that carry a mesh, parents before children, in file order.
@@ -34,7 +34,7 @@ impl Scene {
             let is_second = std::mem::replace(&mut is_below_root[node], true);
             if is_second { Err(no_tree(node)) } else { Ok(true) }
         })?;
-        let hierarchy = Hierarchy::new(nodes)?;
+        let hierarchy = NodeTree::new(nodes)?;
         let world_from_node = hierarchy.world_at_rest();
 
         let shown = match root.scene {

@@ -71,7 +71,7 @@ struct Assembly<'a> {
 }
 
 /// An object that is to be placed.
-struct Step<'m> {
+struct Placing<'m> {
     path: &'m str,
     reference: &'m Reference,
     world_from_parent: DMat4,
@@ -85,9 +85,10 @@ impl Assembly<'_> {
     fn build(&mut self, root: &str) -> Result<()> {
         let models = std::mem::take(&mut self.models);
         let Some((root, model)) = models.get_key_value(root) else { return Ok(()) };
-        let start = |reference| Step { path: root, reference, world_from_parent: DMat4::IDENTITY, name: "", level: 0 };
-        let mut stack: Vec<Step> = model.build.iter().rev().map(start).collect();
-        while let Some(Step { path, reference, world_from_parent, name, level }) = stack.pop() {
+        let start =
+            |reference| Placing { path: root, reference, world_from_parent: DMat4::IDENTITY, name: "", level: 0 };
+        let mut stack: Vec<Placing> = model.build.iter().rev().map(start).collect();
+        while let Some(Placing { path, reference, world_from_parent, name, level }) = stack.pop() {
             self.visited += 1;
             if level == MOST_LEVELS || self.visited > MOST_REFERENCES {
                 return Err(THREEMF.at(
@@ -107,8 +108,8 @@ impl Assembly<'_> {
             let name = if object.name.is_empty() { name } else { &object.name };
             self.add_mesh(object, name, world_from_object)?;
             let inside =
-                |reference| Step { path, reference, world_from_parent: world_from_object, name, level: level + 1 };
-            self.budget.take_items::<Step>(object.components.len())?;
+                |reference| Placing { path, reference, world_from_parent: world_from_object, name, level: level + 1 };
+            self.budget.take_items::<Placing>(object.components.len())?;
             stack.extend(object.components.iter().rev().map(inside));
         }
         Ok(())

@@ -1,6 +1,9 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
+
 use super::*;
 
 /// 40 elements of 12 bytes, whose bytes change in all the ways that have a coding of their own.
@@ -172,11 +175,7 @@ fn counts_without_bytes_reserve_nothing() {
 
 #[test]
 fn damaged_streams_do_not_panic() {
-    let mut state = 1_u64;
-    let mut random = |below: usize| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 33) as usize % below
-    };
+    let mut random = SplitMix64::seed_from_u64(1);
     for (mode, count, stride, stream) in [
         ("ATTRIBUTES", 40, 12, VERSION_0),
         ("ATTRIBUTES", 40, 12, VERSION_1_BYTES),
@@ -194,7 +193,9 @@ fn damaged_streams_do_not_panic() {
         }
         for _ in 0..2000 {
             let mut damaged = stream.clone();
-            (0..=random(3)).for_each(|_| damaged[random(stream.len())] = random(256) as u8);
+            for _ in 0..random.random_range(1..=3) {
+                damaged[random.random_range(0..stream.len())] = random.random();
+            }
             if let Ok(decoded) = decode(mode, count, stride, &damaged) {
                 assert_eq!(decoded.len(), count * stride);
             }
