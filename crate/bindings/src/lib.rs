@@ -1,9 +1,13 @@
-//! What the wasm modules of the page's worker share: failures as JavaScript sees them, and the options of the solver in the page's
-//! words.
+//! What the wasm modules of the page's worker share: what they answer, failures as JavaScript sees them, and the options
+//! of the solver in the page's words.
 
 #![cfg(target_arch = "wasm32")]
 
+// What the derived code calls it, here too.
+extern crate self as heatwalk_bindings;
+
 mod failure;
+mod message;
 mod parameters;
 
 use std::ops::ControlFlow;
@@ -13,6 +17,8 @@ use js_sys::{Function, Reflect, Uint8Array};
 use wasm_bindgen::{JsCast, JsValue};
 
 pub use failure::{Failure, Result, end};
+pub use heatwalk_message::Message;
+pub use message::{DrawPath, Field, FieldError, object};
 pub use parameters::parameters;
 
 /// The files that a mesh refers to, by a function of JavaScript that gives their bytes, or undefined where one was not given.

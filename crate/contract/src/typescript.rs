@@ -102,7 +102,8 @@ fn quoted(text: &str) -> String {
 }
 
 /// A comment above what is exported, after an empty line.
-fn documented(lines: &[String], indent: &str) -> String {
+#[must_use]
+pub fn documented(lines: &[String], indent: &str) -> String {
     let lines: Vec<String> = lines.iter().map(|line| line.replace("*/", "* /")).collect();
     match &lines[..] {
         [] => "\n".to_owned(),
@@ -127,7 +128,8 @@ fn constant(name: &str) -> String {
 }
 
 /// `field_name` as `fieldName`.
-fn camel(name: &str) -> String {
+#[must_use]
+pub fn camel(name: &str) -> String {
     let mut parts = name.split('_');
     let first = parts.next().unwrap_or_default().to_owned();
     parts.fold(first, |name, part| {

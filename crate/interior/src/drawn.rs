@@ -117,7 +117,7 @@ impl Drawn {
     /// Vectors of tetrahedra as vectors of the drawn triangles, turned as they are drawn, three numbers each.
     pub fn spread_vectors(&self, vectors: &[DVec3]) -> Vec<f32> {
         let of = |tetrahedron: &Option<TetId>| tetrahedron.map_or(DVec3::ZERO, |own| vectors[own.index()]);
-        self.tetrahedra.iter().flat_map(|own| self.transform.direction(of(own)).as_vec3().to_array()).collect()
+        self.transform.directions(self.tetrahedra.iter().map(of))
     }
 
     /// The tetrahedron of the input that a tetrahedron is.

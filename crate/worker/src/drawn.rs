@@ -41,8 +41,7 @@ pub struct Drawn {
 }
 
 impl Drawn {
-    /// With the triangles themselves, which only the page needs.
-    /// With what moves them, for a soup that moves.
+    /// With the triangles themselves, which only the page needs, and with what moves them, for a soup that moves.
     pub fn new(
         surface: &Surface,
         appearance: &Appearance,
@@ -107,8 +106,7 @@ impl Drawn {
 
     /// Vectors of faces as vectors of drawn triangles, turned as they are drawn, three numbers each.
     pub fn spread_vectors(&self, vectors: &FaceData<DVec3>) -> Vec<f32> {
-        let drawn = |face| self.transform.direction(vectors[face]).as_vec3().to_array();
-        self.faces.iter().flat_map(|&face| drawn(face)).collect()
+        self.transform.directions(self.faces.iter().map(|&face| vectors[face]))
     }
 
     /// Reads `{ vertex }` (of the input) or `{ face, weights }`. The weights follow the corners of the drawn triangle,
