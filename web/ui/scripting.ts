@@ -153,8 +153,8 @@ export function expose(
       return shown?.answer.field ? shown.places.valueAt(point, shown.answer.field) : Number.NaN;
     },
     exactDistanceAt: (point) => exactDistanceAt(session, point),
-    gradients: async (kind) => openEngine(session).gradients(kind),
-    heat: async () => openEngine(session).heat(),
+    gradients: async (kind) => openEngine(session).queries.gradients(kind),
+    heat: async () => openEngine(session).queries.heat(),
     async picture(scale = 1, clear = false) {
       await api.settled();
       // What is wanted since the field came is asked for in the next frame.

@@ -11,7 +11,7 @@ use crate::read::{Choice, Definitions, Field, FieldKind, Options};
 /// # Errors
 /// Where the options name a choice that is not defined.
 pub fn module(definitions: &Definitions, sources: &[&str]) -> Result<String> {
-    let mut text = format!("// Made by `cargo xtask wasm` from {}.\n", sources.join(" and "));
+    let mut text = format!("// Made by `cargo xtask wasm` from {}.\n", sources.join(", "));
     text += "
 /** Names to choose from, in the order in which they are offered. */
 export interface Choice<Name extends string> {

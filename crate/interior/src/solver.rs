@@ -73,7 +73,7 @@ impl InnerSolver {
     pub fn configure(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Partial<Parameters>")] given: &Object,
-        #[wasm_bindgen(unchecked_param_type = "(stage: string, fraction: number) => void")] progress: &Function,
+        #[wasm_bindgen(unchecked_param_type = "Progress")] progress: &Function,
     ) -> Result<()> {
         self.options.heat = parameters(given)?;
         if self.options.heat.memory == MemoryLimit::Automatic {

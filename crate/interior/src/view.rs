@@ -1,11 +1,11 @@
 //! What is seen of the inside: the cut, shells of equal distance, arrows.
 
 use glam::DVec3;
-use heatwalk_bindings::{Failure, Message, Result, number};
+use heatwalk_bindings::{Failure, Message, Result, number, numbers};
 use heatwalk_scene::DrawTransform;
 use heatwalk_volume::section::{Cut, Plane, Section, Shells};
 use heatwalk_volume::{TetMesh, VolumeDistance};
-use js_sys::{Array, Reflect};
+use js_sys::Reflect;
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
@@ -172,11 +172,6 @@ fn cut_of(planes: &[f64], transform: &DrawTransform) -> Result<Cut> {
         ([one, other], []) => Ok(Cut::Wedge([plane(one), plane(other)])),
         _ => Err(Failure::misuse("a cut is made by no, one or two planes of four numbers each")),
     }
-}
-
-fn numbers(object: &JsValue, key: &str) -> Vec<f64> {
-    let list = Reflect::get(object, &key.into()).map(|list| Array::from(&list)).unwrap_or_default();
-    list.iter().filter_map(|value| value.as_f64()).collect()
 }
 
 fn flag(object: &JsValue, key: &str) -> bool {

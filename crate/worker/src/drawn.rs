@@ -4,9 +4,8 @@ use glam::DVec3;
 use heatwalk::{
     Appearance, FaceData, FaceId, InputVertex, Place, Soup, Source, Surface, SurfacePoint, VertexData, VertexId,
 };
-use heatwalk_bindings::{Failure, Result, number};
+use heatwalk_bindings::{Failure, Result, number, numbers};
 use heatwalk_scene::{DrawTransform, Posing, draw_mesh};
-use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 
 use crate::results::DrawMesh;
@@ -117,8 +116,8 @@ impl Drawn {
         }
         let face =
             number(place, "face").ok_or_else(|| Failure::misuse("a place is a vertex or a face with three weights"))?;
-        let list = Reflect::get(place, &"weights".into()).map(|weights| Array::from(&weights)).unwrap_or_default();
-        let weights = [0, 1, 2].map(|corner| list.get(corner).as_f64().unwrap_or(f64::NAN));
+        let given = numbers(place, "weights");
+        let weights = [0, 1, 2].map(|corner| given.get(corner).copied().unwrap_or(f64::NAN));
         // A face that there is none of is for the surface to name.
         let face = self.faces.get(face as usize).copied().unwrap_or(FaceId(face as u32));
         Ok(surface.point(Place::Face { face, weights })?)

@@ -36,21 +36,6 @@ use crate::outline::Outline;
 use crate::results::{BuildReport, Contents, DrawMesh, PartInfo, Shade, Warning, Weights};
 use crate::solver::{Solver, go_on, reporter};
 
-/// The types of arguments that have no type in Rust: names and options are those of the generated contract.
-#[wasm_bindgen(typescript_custom_section)]
-const ARGUMENTS: &str = "
-import type { EdgeKind, FaceField, Parameters, PathKind, Up } from '../contract';
-
-/** Told before each stage: its name in words, and the fraction that is done, 0 to 1. */
-export type Progress = (stage: string, fraction: number) => void;
-";
-
-/// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
-#[wasm_bindgen(start)]
-pub fn start() {
-    std::panic::set_hook(Box::new(|panic| heatwalk_bindings::end(&panic.to_string())));
-}
-
 /// Bytes that a program on wasm32 can have.
 const ADDRESS_SPACE: u64 = 1 << 32;
 
@@ -245,10 +230,9 @@ pub struct ActiveSurface {
 
 #[wasm_bindgen]
 impl ActiveSurface {
-    /// Four numbers: what is drawn at the origin, and the drawn length of the file's unit.
-    pub fn draw_transform(&self) -> Vec<f64> {
-        let DrawTransform { center, scale, .. } = self.transform;
-        center.extend(scale).to_array().to_vec()
+    /// How it is drawn.
+    pub fn draw_transform(&self) -> heatwalk_bindings::DrawTransform {
+        self.transform.into()
     }
 
     /// Mean edge length.
