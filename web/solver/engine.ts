@@ -124,9 +124,9 @@ interface Waiting {
 export class Engine {
   readonly #worker: SolverWorker;
   readonly #api: Remote<SolverApi>;
-  /** Asks what does not concern answers at once. */
+  /** What the mesh can be asked beside the field, at once. */
   readonly queries: Remote<Queries>;
-  /** Asks it when no question and no step of refinement is under way; these take turns with it. */
+  /** The same, asked when no question and no step of refinement is under way; these take turns with it. */
   readonly inTurn: Remote<Queries>;
   /** Whether it can be asked by the heat method. */
   readonly isFactored: boolean;
@@ -192,10 +192,7 @@ export class Engine {
     this.#waiting = null;
     if (this.#solving && isMove(this.#solving, question)) {
       const answered = this.#solve(question).then((found) => found && { ...found, posed: null });
-      this.#moving = answered.then(
-        () => undefined,
-        () => undefined,
-      );
+      this.#moving = settled(answered);
       return answered;
     }
     return new Promise((resolve, reject) => {
@@ -252,10 +249,7 @@ export class Engine {
         this.#working = this.#work();
       }
     });
-    this.#bettering = answered.then(
-      () => undefined,
-      () => undefined,
-    );
+    this.#bettering = settled(answered);
     return answered;
   }
 
@@ -277,10 +271,7 @@ export class Engine {
   /** One at a time: a slice that nobody waits for any more may still be under way. */
   #better(answer: Answer, work: () => Promise<Answer>): Promise<Answer | null> {
     const better = this.#bettering.then(() => this.#betterNow(answer, work));
-    this.#bettering = better.then(
-      () => undefined,
-      () => undefined,
-    );
+    this.#bettering = settled(better);
     return better;
   }
 
@@ -400,4 +391,12 @@ function windowsOf({ quick, windows }: Question, weighted: boolean): number {
 
 function requestOf({ from }: Question, kind: PathKind): PathRequest | null {
   return from && { from, kind };
+}
+
+/** Ends when a promise does, however it does. */
+function settled(promise: Promise<unknown>): Promise<void> {
+  return promise.then(
+    () => undefined,
+    () => undefined,
+  );
 }

@@ -18,7 +18,7 @@ export class WorkerLost extends Failure {}
 
 const NOT_STARTED = t('The solver could not be started.');
 
-/** The functions of an object, each called by `make`. */
+/** The functions of an object, each called where `make` wants it. */
 export function calling<T extends object>(object: T, make: <R>(call: () => Promise<R>) => Promise<R>): T {
   const called =
     (name: string | symbol) =>
@@ -31,7 +31,7 @@ export function calling<T extends object>(object: T, make: <R>(call: () => Promi
 export class SolverWorker {
   readonly #worker: Worker;
   readonly #ended = Promise.withResolvers<never>();
-  /** Each call ends with the worker. */
+  /** Its calls; each ends with the worker. */
   readonly api: Remote<SolverApi>;
   /** Resolves when the worker is lost, whether or not a call was under way; not when it is ended on purpose. */
   readonly lost: Promise<WorkerLost>;

@@ -264,7 +264,7 @@ export class View extends Screen {
     this.#show('walker', (viewer) => viewer.set_walker(drawn));
   }
 
-  /** `#walkers × 10`, as `SolverApi.stepCrowd` gives them. */
+  /** `#walkers × 10`, as `Queries.stepCrowd` gives them. */
   setCrowd(poses: Float32Array): void {
     this.#show('crowd', (viewer) => viewer.set_crowd(poses, CROWD_HEIGHT));
   }

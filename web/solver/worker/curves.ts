@@ -4,7 +4,7 @@ import { fileName } from '../../files/paths';
 import type * as curves from '../../wasm/curves/heatwalk_curves';
 import curvesAddress from '../../wasm/curves/heatwalk_curves_bg.wasm?url';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
-import { onDemand } from './demand';
+import { moduleOnDemand } from './demand';
 import { type Bytes, filesOf, unpackedOf, withFiles } from './files';
 import type { ShownAs } from './mesh';
 import { through } from './through';
@@ -12,11 +12,7 @@ import { through } from './through';
 /** In place of the vertex that one of the input became, where no triangle uses it. */
 const NONE = 0xffffffff;
 
-const loaded = onDemand(async () => {
-  const module = await import('../../wasm/curves/heatwalk_curves.js');
-  await module.default({ module_or_path: curvesAddress });
-  return module;
-});
+const loaded = moduleOnDemand(() => import('../../wasm/curves/heatwalk_curves.js'), curvesAddress);
 
 /** The isolines that were traced last. */
 let traced: curves.Curves | undefined;
