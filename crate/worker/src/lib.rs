@@ -7,6 +7,7 @@
 
 mod appearance;
 mod camera;
+mod contents;
 mod drawn;
 mod field;
 mod ground;
@@ -30,10 +31,11 @@ use wasm_bindgen::prelude::*;
 
 use crate::appearance::{EncodedImage, Material};
 use crate::camera::CameraView;
+use crate::contents::{Contents, PartInfo, Warning, Weights};
 use crate::drawn::Drawn;
 use crate::motion::{Clip, Scenery};
 use crate::outline::Outline;
-use crate::results::{BuildReport, Contents, DrawMesh, PartInfo, Shade, Warning, Weights};
+use crate::results::{BuildReport, DrawMesh, Shade};
 use crate::solver::{Solver, go_on, reporter};
 
 /// Bytes that a program on wasm32 can have.
