@@ -13,8 +13,15 @@ use anyhow::{Context, Result};
 
 use self::read::Definitions;
 
+pub use self::read::doc;
+pub use self::typescript::{camel, documented};
+
 /// What defines the contract, in the order in which it is written.
-const SOURCES: [&str; 2] = ["crate/solver/src/options.rs", "crate/bindings/src/failure.rs"];
+const SOURCES: [&str; 3] =
+    ["crate/solver/src/options.rs", "crate/sparse/src/progress.rs", "crate/bindings/src/failure.rs"];
+
+/// Enums whose variants the page is told by their names.
+const TOLD: [&str; 1] = ["Stage"];
 
 /// Where the page finds it.
 const MODULE: &str = "web/wasm/contract.ts";
@@ -39,7 +46,7 @@ fn module(workspace: &Path) -> Result<String> {
         let text = fs::read_to_string(workspace.join(source)).with_context(|| format!("{source} cannot be read"))?;
         definitions.read(&text).with_context(|| format!("{source} is not understood"))?;
     }
-    typescript::module(&definitions, &SOURCES)
+    typescript::module(&definitions, &SOURCES, &TOLD)
 }
 
 #[cfg(test)]

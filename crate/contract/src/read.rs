@@ -152,6 +152,15 @@ impl Definitions {
         Ok(())
     }
 
+    /// The documentation of an enum, and the names of its variants.
+    ///
+    /// # Errors
+    /// Where it is not defined.
+    pub fn variants(&self, name: &str) -> Result<(&[String], Vec<String>)> {
+        let item = self.enums.get(name).with_context(|| format!("{name} is not defined"))?;
+        Ok((&item.doc, item.variants.iter().map(|(variant, _)| variant.to_string()).collect()))
+    }
+
     fn read_enum(&mut self, item: &ItemEnum) {
         let is_default = |variant: &syn::Variant| variant.attrs.iter().any(|part| part.path().is_ident("default"));
         let variants = item.variants.iter().map(|variant| (variant.ident.clone(), doc(&variant.attrs))).collect();
@@ -237,7 +246,8 @@ fn numbers(expression: &Expr) -> Option<(Vec<u32>, bool)> {
 }
 
 /// The lines of a documentation comment.
-fn doc(attributes: &[Attribute]) -> Vec<String> {
+#[must_use]
+pub fn doc(attributes: &[Attribute]) -> Vec<String> {
     let line = |attribute: &Attribute| {
         let Meta::NameValue(meta) = &attribute.meta else { return None };
         let Expr::Lit(value) = &meta.value else { return None };

@@ -2,7 +2,7 @@ use std::fmt::Write as _;
 
 use heatwalk::{
     AUTOMATIC, Boundary, Choice, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, LinearSolver, MemoryLimit, Method,
-    MultiSource, Operator, PathKind, TimeStep, Up, VertexField, WINDOWS,
+    MultiSource, Operator, PathKind, Stage, TimeStep, Up, VertexField, WINDOWS,
 };
 
 use super::*;
@@ -41,6 +41,17 @@ fn the_page_has_the_names_and_ranges_of_the_solver() {
         assert!(text.contains(choice), "{choice}\nis not in\n{text}");
     }
     assert_eq!(text.matches(": Choice<").count(), choices.len(), "every choice is compared");
+    let stages = [
+        Stage::Assembling,
+        Stage::Ordering,
+        Stage::Analysing,
+        Stage::Factoring,
+        Stage::Searching { radius: 0.0 },
+        Stage::Answering,
+        Stage::Filling,
+    ];
+    let stages = stages.map(|stage| format!("'{stage}'")).join(" | ");
+    assert!(text.contains(&format!("export type Stage = {stages};")), "{stages}\nis not in\n{text}");
     for (constant, range) in [
         ("TIME_STEP_FACTORS", TimeStep::FACTORS),
         ("EXACT_RADIUS_EDGES", ExactRadius::EDGES),

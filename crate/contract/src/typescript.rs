@@ -9,9 +9,9 @@ use crate::read::{Choice, Definitions, Field, FieldKind, Options};
 /// A module that exports all of it.
 ///
 /// # Errors
-/// Where the options name a choice that is not defined.
-pub fn module(definitions: &Definitions, sources: &[&str]) -> Result<String> {
-    let mut text = format!("// Made by `cargo xtask wasm` from {}.\n", sources.join(" and "));
+/// Where the options name a choice, or `told` an enum, that is not defined.
+pub fn module(definitions: &Definitions, sources: &[&str], told: &[&str]) -> Result<String> {
+    let mut text = format!("// Made by `cargo xtask wasm` from {}.\n", sources.join(", "));
     text += "
 /** Names to choose from, in the order in which they are offered. */
 export interface Choice<Name extends string> {
@@ -34,6 +34,12 @@ export interface Choice<Name extends string> {
     }
     for choice in &definitions.choices {
         text += &choice_of(choice);
+    }
+    for name in told {
+        let (doc, names) = definitions.variants(name)?;
+        let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
+        text += &documented(doc, "");
+        text += &format!("export type {name} = {};\n", names.join(" | "));
     }
     for range in &definitions.ranges {
         let [least, most] = range.ends;
@@ -102,7 +108,8 @@ fn quoted(text: &str) -> String {
 }
 
 /// A comment above what is exported, after an empty line.
-fn documented(lines: &[String], indent: &str) -> String {
+#[must_use]
+pub fn documented(lines: &[String], indent: &str) -> String {
     let lines: Vec<String> = lines.iter().map(|line| line.replace("*/", "* /")).collect();
     match &lines[..] {
         [] => "\n".to_owned(),
@@ -127,7 +134,8 @@ fn constant(name: &str) -> String {
 }
 
 /// `field_name` as `fieldName`.
-fn camel(name: &str) -> String {
+#[must_use]
+pub fn camel(name: &str) -> String {
     let mut parts = name.split('_');
     let first = parts.next().unwrap_or_default().to_owned();
     parts.fold(first, |name, part| {

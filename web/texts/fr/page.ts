@@ -25,6 +25,8 @@ export const PAGE: Texts = {
   ordering: 'mise en ordre',
   analysing: 'analyse',
   factoring: 'factorisation',
+  searching: 'recherche',
+  answering: 'réponse',
   'Stop opening (Esc)': 'Cesser d’ouvrir (Échap)',
   Cancel: 'Annuler',
   'Opened {0}, one of {1} meshes.': '{0} est ouvert, un maillage parmi {1}.',
