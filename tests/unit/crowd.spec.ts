@@ -4,7 +4,7 @@ import type { Session } from '../../web/session/session';
 
 test('a crowd that is wanted is there once all is settled, though no frame has come', async () => {
   const shown: Float32Array[] = [];
-  const engine = { crowd: async () => {}, stepCrowd: async () => new Float32Array(12) };
+  const engine = { queries: { crowd: async () => {}, stepCrowd: async () => new Float32Array(12) } };
   const session = {
     engine,
     shown: { value: { answer: { field: {} }, opened: {}, places: { diameter: 1 } } },

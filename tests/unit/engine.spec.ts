@@ -218,13 +218,13 @@ test('a refinement step waits for one that is still running', async () => {
 test('measuring waits for questions and for the step of refinement under way, and neither is lost', async () => {
   const { engine: it, calls, letGo } = engine();
   const asked = it.ask(QUESTION);
-  const measured = it.measure({ vertex: 1 }, { vertex: 2 });
+  const measured = it.inTurn.measure({ vertex: 1 }, { vertex: 2 });
   const answer = await asked;
   await measured;
   expect(calls).toEqual(['solve descent', 'measure']);
   if (!answer) throw new Error('no answer');
   const refined = it.refine(answer);
-  const again = it.measure({ vertex: 1 }, { vertex: 2 });
+  const again = it.inTurn.measure({ vertex: 1 }, { vertex: 2 });
   const next = it.refine(answer);
   await soon();
   expect(calls.slice(2)).toEqual(['refine descent']);

@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from '@playwright/test';
-import type { SurfacePath } from '../../web/protocol';
+import type { DrawPath } from '../../web/protocol';
 import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../web/session/export';
 import { commandLine, type Measured, pythonLines } from '../../web/state/reproduce';
 import { emptyScene } from '../../web/state/scene';
@@ -51,7 +51,7 @@ test('what the program cannot be asked for is refused with the reason', () => {
 });
 
 test('paths are written in the unit of the file', () => {
-  const path = { points: Float32Array.of(0, 0, 0, 1, 2, 3) } as SurfacePath;
+  const path = { points: Float32Array.of(0, 0, 0, 1, 2, 3) } as DrawPath;
   const points = pathPoints(path, { center: [10, 20, 30], scale: 2, up: 'z' });
   // Drawn along Y is along Z in the file, and drawn along Z is against Y.
   expect(points).toEqual([

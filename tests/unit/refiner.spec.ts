@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test';
-import type { DistanceField, PathKind, SurfacePath } from '../../web/protocol';
+import type { DistanceField, PathKind, DrawPath } from '../../web/protocol';
 import type { Answer, Engine } from '../../web/solver/engine';
 import { type Phase, Refiner } from '../../web/solver/refiner';
 import { WorkerLost } from '../../web/solver/remote';
@@ -8,11 +8,12 @@ import { Signal, until } from '../../web/state/signal';
 import { OUT_OF_MEMORY } from '../../web/wasm/contract';
 
 const STATE = emptyScene({ kind: 'preset', id: 'bunny' });
-const PATH: SurfacePath = {
+const PATH: DrawPath = {
   points: new Float32Array(),
   normals: new Float32Array(),
   drawnLength: 1,
   length: 2,
+  straight: 2,
   cost: 2,
   segmentCosts: new Float32Array(),
 };

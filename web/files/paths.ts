@@ -1,12 +1,19 @@
 /** Paths of the files of one input. */
 import { t } from '../texts/translate';
 
-/** The mesh formats by their extensions; an archive may hold meshes. */
-const MESH_FILE = /\.(3mf|ele|glb|gltf|mesh|meshb|msh|node|obj|off|ply|stl|vtk|vtp|vtu)$/i;
-/** Those of tetrahedra; VTK files may hold a surface as well. */
-const TETRAHEDRA = /\.(ele|mesh|meshb|msh|node)$/i;
-const EITHER = /\.(vtk|vtu)$/i;
-const ARCHIVE = /\.zip$/i;
+/** Extensions of meshes: of surfaces, of tetrahedra, and of files that may hold either. */
+const SURFACES = ['3mf', 'glb', 'gltf', 'obj', 'off', 'ply', 'stl', 'vtp'];
+const TETRAHEDRA = ['ele', 'mesh', 'meshb', 'msh', 'node'];
+const EITHER = ['vtk', 'vtu'];
+const MESHES = [...SURFACES, ...TETRAHEDRA, ...EITHER];
+const ARCHIVE = 'zip';
+/** Of rows of numbers. */
+const TABLE = 'csv';
+/** Of what meshes refer to. */
+const RESOURCES = ['bin', 'mtl', 'png', 'jpg', 'jpeg', 'webp'];
+/** All that can be opened, for a dialog. */
+export const ACCEPTED = [...MESHES, ...RESOURCES, TABLE, ARCHIVE].map((extension) => `.${extension}`).join(',');
+
 /** In words. */
 export const formats = () =>
   t(
@@ -17,25 +24,31 @@ export const formats = () =>
 const HIDDEN = /(^|\/)(\.|__MACOSX\/)/;
 
 export function isMesh(path: string): boolean {
-  return MESH_FILE.test(path) && !HIDDEN.test(path);
+  return MESHES.includes(extensionOf(path)) && !HIDDEN.test(path);
 }
 
 /** Whether a mesh is one of tetrahedra by its name. */
 export function holdsTetrahedra(path: string): boolean | 'perhaps' {
-  return TETRAHEDRA.test(path) || (EITHER.test(path) && 'perhaps');
+  const extension = extensionOf(path);
+  return TETRAHEDRA.includes(extension) || (EITHER.includes(extension) && 'perhaps');
 }
 
 export function isArchive(path: string): boolean {
-  return ARCHIVE.test(path);
+  return extensionOf(path) === ARCHIVE;
 }
 
 /** Whether it holds rows of numbers. */
 export function isTable(path: string): boolean {
-  return /\.csv$/i.test(path);
+  return extensionOf(path) === TABLE;
 }
 
 export function fileName(path: string): string {
   return path.slice(path.lastIndexOf('/') + 1);
+}
+
+/** Without its dot, in lower case; empty where there is none. */
+function extensionOf(path: string): string {
+  return /\.(\w+)$/.exec(path)?.[1]?.toLowerCase() ?? '';
 }
 
 /** The meshes of a folder, the uppermost first. */

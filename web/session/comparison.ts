@@ -1,6 +1,6 @@
 /** The scene by other settings, beside it: asks a worker of its own what the scene asks, and shows the answer right of the split. */
 import { Failure, messageOf } from '../error';
-import type { OpenedMesh, SurfacePath } from '../protocol';
+import type { OpenedMesh, DrawPath } from '../protocol';
 import { SolverClient } from '../solver/client';
 import { type Answer, type Engine, isSameField, type Question } from '../solver/engine';
 import { Refiner } from '../solver/refiner';
@@ -158,7 +158,7 @@ function isSame(asked: Question, question: Question): boolean {
 }
 
 /** A path as segments. */
-function edgesOf(path: SurfacePath | null): Edges[] {
+function edgesOf(path: DrawPath | null): Edges[] {
   const points = path?.points ?? new Float32Array();
   const ends: number[] = [];
   for (let end = 3; end < points.length; end += 3) ends.push(...points.subarray(end - 3, end + 3));

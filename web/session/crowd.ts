@@ -1,6 +1,6 @@
 /** The crowd: asks the solver for its next step whenever the last one has come, and shows it. */
 import type { Engine } from '../solver/engine';
-import { LARGEST_CROWD } from '../state/scene';
+import { CROWD_HEIGHT, LARGEST_CROWD } from '../state/scene';
 import { reducedMotion } from '../view/motion';
 import type { Session } from './session';
 
@@ -53,8 +53,8 @@ export class CrowdWalk {
     this.#seconds = 0;
     this.#out = out;
     try {
-      if (asked) await engine.crowd(count);
-      const poses = count > 0 ? await engine.stepCrowd(step) : new Float32Array();
+      if (asked) await engine.queries.crowd(count, CROWD_HEIGHT);
+      const poses = count > 0 ? await engine.queries.stepCrowd(step) : new Float32Array();
       if (session.engine === engine) session.view.setCrowd(poses);
     } catch (error) {
       session.fail(error);

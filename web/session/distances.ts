@@ -7,7 +7,7 @@ export async function exactDistances(
   { engine, shown }: Session,
   places: readonly MeshPoint[],
 ): Promise<Float64Array | null> {
-  return engine && shown.value?.answer.field?.exactBelow === Infinity ? engine.exactDistances(places) : null;
+  return engine && shown.value?.answer.field?.exactBelow === Infinity ? engine.queries.exactDistances(places) : null;
 }
 
 /** That of one place, likewise. */

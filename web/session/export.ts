@@ -1,5 +1,5 @@
 /** What leaves the page: the direction that curves are seen from, and paths as files. */
-import type { DrawTransform, SurfacePath, Tracks } from '../protocol';
+import type { DrawTransform, DrawPath, Tracks } from '../protocol';
 import { type Vector, distance, vectorAt, vectorsIn } from '../state/vector';
 import { filePlace } from './nearest';
 
@@ -13,7 +13,7 @@ export function towardEye(camera: readonly number[] | null): Vector {
 }
 
 /** The points of a path in the unit of the file. */
-export function pathPoints({ points }: SurfacePath, transform: DrawTransform): Vector[] {
+export function pathPoints({ points }: DrawPath, transform: DrawTransform): Vector[] {
   return vectorsIn(points).map((drawn) => filePlace(drawn, transform));
 }
 

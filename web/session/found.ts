@@ -58,14 +58,14 @@ export function atVertices(vertices: readonly number[]): Source[] {
 }
 
 export async function outlined({ engine, opened }: Mesh): Promise<Outlined> {
-  return { ...opened, neighbors: await engine.neighbors() };
+  return { ...opened, neighbors: await engine.queries.neighbors() };
 }
 
 export async function lineThrough(engine: Engine, corners: readonly number[], closed: boolean): Promise<number[]> {
   const line = corners.slice(0, 1);
   const [, ...ends] = closed ? [...corners, ...line] : corners;
   for (const [index, end] of ends.entries()) {
-    line.push(...(await engine.line(entry(corners, index), end)).subarray(1));
+    line.push(...(await engine.queries.line(entry(corners, index), end)).subarray(1));
   }
   // The first vertex is not repeated.
   return closed && line.length > 1 ? line.slice(0, -1) : line;

@@ -214,7 +214,7 @@ export class GroundEditor {
     this.lineEnd.value = to;
     if (from === null) return;
     try {
-      const vertices = [...(await engine.line(from, to))];
+      const vertices = [...(await engine.queries.line(from, to))];
       if (engine !== session.engine) return;
       const { ground } = session.scene.state;
       const last = ground.lines.at(-1);
@@ -274,7 +274,7 @@ export class GroundEditor {
     const opened = shown.value?.opened;
     if (!this.brush.value.on || !engine || !opened || this.#known?.opened === opened) return;
     try {
-      const neighbors = await engine.neighbors();
+      const neighbors = await engine.queries.neighbors();
       if (shown.value?.opened === opened) this.#known = { opened, neighbors };
     } catch (error) {
       this.#session.fail(error);

@@ -6,7 +6,7 @@ export async function linkNearest(session: Session): Promise<void> {
   const { engine, scene } = session;
   if (!engine) return;
   try {
-    const links = await engine.linksToReachMore();
+    const links = await engine.queries.linksToReachMore();
     // Meanwhile another mesh may have come, or another number of links.
     if (engine === session.engine && links > scene.state.links) scene.edit({ links });
   } catch (error) {

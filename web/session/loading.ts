@@ -1,12 +1,12 @@
 /** What is being opened, for the loading bar. */
+import type { OpeningStage } from '../protocol';
 import { Cancelled } from '../solver/remote';
 import type { Signal } from '../state/signal';
 import type { Words } from '../texts';
 
 export interface Loading {
   title: Words;
-  /** In English, as workers tell it. */
-  stage: string;
+  stage: OpeningStage;
   /** 0 to 1; null where it is not known. */
   fraction: number | null;
   vertices: number;

@@ -4,7 +4,7 @@ import { partsOfFaces } from '../state/parts';
 import { type Vector, distance, vectorAt } from '../state/vector';
 import { entry } from '../state/entry';
 
-/** A surface as it is drawn, and the triangles beside each: `SolverApi.neighbors`. */
+/** A surface as it is drawn, and the triangles beside each: `Queries.neighbors`. */
 export interface Outlined extends Pick<OpenedMesh, 'parts' | 'active' | 'inputVertices'> {
   surface: Pick<OpenedMesh['surface'], 'positions' | 'triangles'>;
   neighbors: Uint32Array;

@@ -75,9 +75,9 @@ export class Overlays {
     try {
       const edges = this.#needsEdges ? await edgesOf(engine, overlays) : null;
       const isolines = edges && overlays.includes('isolines') ? drawnIsolines(session) : null;
-      if (isolines) edges?.push({ ...ISOLINES, ends: (await engine.isolines(isolines)).ends });
+      if (isolines) edges?.push({ ...ISOLINES, ends: (await engine.queries.isolines(isolines)).ends });
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
-      const arrows = kind && field ? await engine.gradients(kind) : new Float32Array();
+      const arrows = kind && field ? await engine.queries.gradients(kind) : new Float32Array();
       const other = colorBy === 'distance' || !field ? null : await instead(engine, colorBy, field);
       if (wish !== this.#wish) return;
       if (edges) {
@@ -105,7 +105,7 @@ export function available({ overlays, colorBy }: SceneState, method: Method): Pi
 async function edgesOf(engine: Engine, overlays: readonly Overlay[]): Promise<Edges[]> {
   const edges: Edges[] = [];
   for (const { overlay, kind, colour } of EDGES) {
-    if (overlays.includes(overlay)) edges.push({ ends: await engine.edges(kind), colour });
+    if (overlays.includes(overlay)) edges.push({ ends: await engine.queries.edges(kind), colour });
   }
   return edges;
 }
@@ -118,11 +118,11 @@ export async function instead(
 ): Promise<Parameters<Session['paint']>[0]> {
   if (colorBy === 'heat') {
     // In powers of ten below the hottest place, so that it grows away from the sources as distance does.
-    const cold = (await engine.heat()).map((logarithm) => -logarithm);
+    const cold = (await engine.queries.heat()).map((logarithm) => -logarithm);
     const whole = largest(cold);
     return { field: { distance: cold, tangents, maxDistance: whole, byCorner }, whole };
   }
-  const errors = (await engine.errors()) ?? new Float32Array(distance.length);
+  const errors = (await engine.queries.errors()) ?? new Float32Array(distance.length);
   // Errors are noise from vertex to vertex, so they have colours and no stripes.
   const field = { distance: errors, tangents: new Int8Array(tangents.length), maxDistance: largest(errors), byCorner };
   return { field, whole: 0 };

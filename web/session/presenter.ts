@@ -1,5 +1,5 @@
 /** Shows a scene and the solver's answer to it on the view, and moves what moves by itself. */
-import type { DistanceField, DrawMesh, OpenedMesh, Posed, SceneryPart, SurfacePath } from '../protocol';
+import type { DistanceField, DrawMesh, OpenedMesh, Posed, SceneryPart, DrawPath } from '../protocol';
 import { isPainted, isWeighted } from '../state/ground';
 import { innerCutOf } from '../state/inside';
 import type { Scene } from '../state/history';
@@ -208,7 +208,7 @@ export class Presenter {
     this.#view.setInside(inside, innerCutOf(question.inside, places.box)?.planes ?? []);
   }
 
-  #showPath(path: SurfacePath | null, arc: number): void {
+  #showPath(path: DrawPath | null, arc: number): void {
     this.#view.setPath(path);
     if (path) this.#view.setWalker(arc);
   }

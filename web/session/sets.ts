@@ -50,7 +50,7 @@ export async function extendLine(session: Session, point: MeshPoint, fromLast: b
   const from = last && mesh.places.nearestVertex(last);
   if (!last || from === undefined || from === to) {
     // A line of one vertex asks nothing but whether the mesh has lines at all.
-    await mesh.engine.line(to, to);
+    await mesh.engine.queries.line(to, to);
     addSet(scene, { shape: { kind: 'line', corners: [to], closed: false }, points: [{ vertex: to }], offset: 0 });
     return;
   }
@@ -70,7 +70,7 @@ async function growLine(
   corners: readonly number[],
   to: number,
 ): Promise<void> {
-  const more = await engine.line(corners.at(-1) ?? to, to);
+  const more = await engine.queries.line(corners.at(-1) ?? to, to);
   if (engine !== session.engine || !session.scene.state.sets.includes(line)) return;
   const points = [...line.points, ...atVertices([...more.subarray(1)])];
   replaceSet(session.scene, line, {

@@ -160,7 +160,7 @@ export class Tapes {
       }
       const paths = legs.flatMap(({ leg }) => (leg && 'triangles' in leg ? leg : []));
       if (tape.closed && !enclosure && paths.length === legs.length) {
-        const found = await basis.engine.enclosed(paths);
+        const found = await basis.engine.inTurn.enclosed(paths);
         this.#keep(basis, () => this.#enclosures.set(keyOf(tape), found));
         return true;
       }
@@ -177,13 +177,13 @@ export class Tapes {
       this.#keep(basis, () => this.#legs.set(keyOf(ends), { state: leg ? state : 'none', leg, straight }));
     };
     if (isWeighted(ground)) {
-      put('cost', await engine.estimate(...ends));
+      put('cost', await engine.inTurn.estimate(...ends));
       return;
     }
     let estimate: Leg | null = null;
     try {
       for (;;) {
-        const found = await engine.measure(...ends);
+        const found = await engine.inTurn.measure(...ends);
         if (found) {
           put(isExact(found.leg) ? 'exact' : 'approximate', found.leg);
           return;
@@ -191,14 +191,14 @@ export class Tapes {
         if (!this.#isWanted(basis, ends)) return;
         if (performance.now() - began > 1000 * MOST_SECONDS) break;
         if (estimate) continue;
-        estimate = await engine.estimate(...ends);
+        estimate = await engine.inTurn.estimate(...ends);
         put('estimated', estimate);
         if (!estimate) return;
       }
     } catch (error) {
       if (!(error instanceof Error && isOutOfMemory(error)) || error instanceof WorkerLost) throw error;
     }
-    put('approximate', estimate ?? (await engine.estimate(...ends)));
+    put('approximate', estimate ?? (await engine.inTurn.estimate(...ends)));
   }
 
   #isWanted(basis: Basis, ends: readonly [MeshPoint, MeshPoint]): boolean {

@@ -1,5 +1,5 @@
 /** What the ground looks like, and what a path over it costs. */
-import type { DrawMesh, SurfacePath } from '../protocol';
+import type { DrawMesh, DrawPath } from '../protocol';
 import { CLOSED_GATE, costOf, EVEN, type Ground, OPEN_GATE, WALL } from '../state/ground';
 import type { Places } from '../state/places';
 import { parseColour } from '../state/styles';
@@ -79,7 +79,7 @@ export function wallsOf({ lines }: Ground, places: Places): Edges[] {
 }
 
 /** What a unit of a path costs at an arc length from its start. */
-export function costAlong(path: SurfacePath | null): ((arc: number) => number) | undefined {
+export function costAlong(path: DrawPath | null): ((arc: number) => number) | undefined {
   if (!path || path.segmentCosts.length === 0) return undefined;
   const { points, segmentCosts, length, drawnLength } = path;
   const scale = drawnLength > 0 ? length / drawnLength : 1;

@@ -3,12 +3,13 @@
  * only way to give it back, and while a mesh is being opened the one before stays whole and in use. Cancelling an opening
  * terminates its worker and touches nothing else.
  */
-import { proxy, transfer } from 'comlink';
+import { proxy } from 'comlink';
 import type { MeshInput, OpenedMesh, Parameters, ProgressListener, MemoryBudget } from '../protocol';
 import type { AUTOMATIC, Up } from '../wasm/contract';
 import wasmAddress from '../wasm/solver/heatwalk_worker_bg.wasm?url';
 import { Engine } from './engine';
 import { Cancelled, SolverWorker } from './remote';
+import { handedOver } from './transfer';
 
 /** What is to be done with a mesh. */
 export interface Wanted {
@@ -48,11 +49,9 @@ export class SolverClient {
     this.#spare = null;
     this.#opening = worker;
     try {
-      const input = await worker.call(load());
-      const handedOver = transfer(input, buffersOf(input));
-      const opening = worker.api.open(handedOver, [...parts], budget, proxy(progress), up, triangles, fill);
-      const opened = await worker.call(opening);
-      const preparing = worker.call(worker.api.prepare(parameters, proxy(progress)));
+      const input = handedOver(await worker.during(load()));
+      const opened = await worker.api.open(input, [...parts], budget, proxy(progress), up, triangles, fill);
+      const preparing = worker.api.prepare(parameters, proxy(progress));
       const telling = (async () => built(opened))();
       const [factoring] = await Promise.all([preparing, telling]);
       return new Engine(worker, opened, factoring, parameters);
@@ -81,7 +80,7 @@ export class SolverClient {
       if (this.#spare === spare) this.#spare = null;
     };
     void spare.lost.then(forget);
-    spare.call(spare.api.warmUp()).catch(forget);
+    spare.api.warmUp().catch(forget);
   }
 }
 
@@ -103,16 +102,4 @@ async function compile(): Promise<WebAssembly.Module> {
   return response.headers.get('Content-Type') === 'application/wasm'
     ? WebAssembly.compileStreaming(response)
     : WebAssembly.compile(await response.arrayBuffer());
-}
-
-function buffersOf(input: MeshInput): Transferable[] {
-  switch (input.kind) {
-    case 'arrays':
-      return [input.positions.buffer, input.triangles.buffer];
-    case 'files':
-    case 'archive':
-    case 'shape':
-    case 'tetrahedra':
-      return [];
-  }
 }

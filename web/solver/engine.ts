@@ -1,38 +1,28 @@
 /** Questions to an open mesh and their answers. */
+import type { Remote } from 'comlink';
 import type {
-  Convergence,
-  CurveFile,
   DistanceField,
-  DistanceFile,
-  EdgeKind,
-  Enclosure,
-  FaceField,
   Factoring,
-  InnerDistanceFile,
   InnerView,
-  Isolines,
-  IsolineWish,
   Moment,
   OpenedMesh,
   Parameters,
-  Leg,
   PathKind,
   Posed,
   Solved,
   Source,
-  SurfaceLeg,
   MeshPoint,
   TracedPath,
-  Tracks,
   PathRequest,
 } from '../protocol';
-import { type Bridge, CROWD_HEIGHT, mayBeJoined } from '../state/scene';
+import { type Bridge, mayBeJoined } from '../state/scene';
 import { changeOf, type Ground, isWeighted, LEVEL } from '../state/ground';
 import { innerCutOf, type Inside, WHOLE } from '../state/inside';
 import { type Box, boxAround } from '../state/places';
 import type { Windows } from '../state/settings';
 import type { Method } from '../wasm/contract';
-import { Cancelled, type SolverWorker, type WorkerLost } from './remote';
+import { calling, Cancelled, type SolverWorker, type WorkerLost } from './remote';
+import type { Queries, SolverApi } from './worker/entry';
 
 export interface Question {
   sources: readonly Source[];
@@ -133,6 +123,11 @@ interface Waiting {
 /** One open mesh and the worker that holds it. */
 export class Engine {
   readonly #worker: SolverWorker;
+  readonly #api: Remote<SolverApi>;
+  /** What the mesh can be asked beside the field, at once. */
+  readonly queries: Remote<Queries>;
+  /** The same, asked when no question and no step of refinement is under way; these take turns with it. */
+  readonly inTurn: Remote<Queries>;
   /** Whether it can be asked by the heat method. */
   readonly isFactored: boolean;
   #parameters: Parameters | null;
@@ -169,6 +164,9 @@ export class Engine {
     parameters: Parameters | null,
   ) {
     this.#worker = worker;
+    this.#api = worker.api;
+    this.queries = worker.api;
+    this.inTurn = calling(this.queries, (call) => this.#between(call));
     this.isFactored = parameters !== null;
     this.#parameters = parameters;
     this.#factoring = factoring;
@@ -194,10 +192,7 @@ export class Engine {
     this.#waiting = null;
     if (this.#solving && isMove(this.#solving, question)) {
       const answered = this.#solve(question).then((found) => found && { ...found, posed: null });
-      this.#moving = answered.then(
-        () => undefined,
-        () => undefined,
-      );
+      this.#moving = settled(answered);
       return answered;
     }
     return new Promise((resolve, reject) => {
@@ -212,7 +207,7 @@ export class Engine {
       const { question, pathKind } = answer;
       // The exact path does not depend on the field.
       const request = pathKind === 'exact' ? null : requestOf(question, pathKind);
-      const { field, path, pathMs } = await this.#worker.call(this.#worker.api.refine(request));
+      const { field, path, pathMs } = await this.#api.refine(request);
       this.#held = { question, field };
       return request ? { ...answer, field, path, pathMs } : { ...answer, field };
     });
@@ -225,7 +220,7 @@ export class Engine {
   traceExactly(answer: Answer): Promise<Answer | null> {
     return this.#better(answer, async () => {
       const { from } = answer.question;
-      const found = from && (await this.#worker.call(this.#worker.api.searchPath(from)));
+      const found = from && (await this.#api.searchPath(from));
       // The time of a path is that of one traced during a drag.
       return found ? { ...answer, path: found.path, pathKind: 'exact' } : answer;
     });
@@ -235,88 +230,7 @@ export class Engine {
   async pose(moment: Moment | null): Promise<Posed | null> {
     if (this.#measured) return null;
     this.#shown = moment;
-    return this.#worker.call(this.#worker.api.pose(moment, false));
-  }
-
-  exactDistances(places: readonly MeshPoint[]): Promise<Float64Array | null> {
-    return this.#worker.call(this.#worker.api.exactDistances(places));
-  }
-
-  gradients(kind: FaceField): Promise<Float32Array> {
-    return this.#worker.call(this.#worker.api.gradients(kind));
-  }
-
-  heat(): Promise<Float32Array> {
-    return this.#worker.call(this.#worker.api.heat());
-  }
-
-  crowd(count: number): Promise<void> {
-    return this.#worker.call(this.#worker.api.crowd(count, CROWD_HEIGHT));
-  }
-
-  stepCrowd(step: number): Promise<Float32Array> {
-    return this.#worker.call(this.#worker.api.stepCrowd(step));
-  }
-
-  crowdTracks(): Promise<Tracks> {
-    return this.#worker.call(this.#worker.api.crowdTracks());
-  }
-
-  edges(kind: EdgeKind): Promise<Float32Array> {
-    return this.#worker.call(this.#worker.api.edges(kind));
-  }
-
-  linksToReachMore(): Promise<number> {
-    return this.#worker.call(this.#worker.api.linksToReachMore());
-  }
-
-  neighbors(): Promise<Uint32Array> {
-    return this.#worker.call(this.#worker.api.neighbors());
-  }
-
-  line(from: number, to: number): Promise<Uint32Array> {
-    return this.#worker.call(this.#worker.api.line(from, to));
-  }
-
-  errors(): Promise<Float32Array | null> {
-    return this.#worker.call(this.#worker.api.errors());
-  }
-
-  convergence(): Promise<Convergence> {
-    return this.#between(() => this.#worker.api.convergence());
-  }
-
-  pathProfile(): Promise<Float64Array | null> {
-    return this.#worker.call(this.#worker.api.pathProfile());
-  }
-
-  isolines(wish: IsolineWish): Promise<Isolines> {
-    return this.#worker.call(this.#worker.api.isolines(wish));
-  }
-
-  curveFile(wish: IsolineWish, file: CurveFile): Promise<Uint8Array<ArrayBuffer>> {
-    return this.#worker.call(this.#worker.api.curveFile(wish, file));
-  }
-
-  distanceFile(kind: DistanceFile): Promise<Uint8Array<ArrayBuffer>> {
-    return this.#worker.call(this.#worker.api.distanceFile(kind));
-  }
-
-  innerDistanceFile(kind: InnerDistanceFile): Promise<Uint8Array<ArrayBuffer>> {
-    return this.#worker.call(this.#worker.api.innerDistanceFile(kind));
-  }
-
-  /** One step of measuring between two places: see `SolverApi.measure`. */
-  measure(from: MeshPoint, to: MeshPoint): Promise<{ leg: Leg | null } | null> {
-    return this.#between(() => this.#worker.api.measure(from, to));
-  }
-
-  estimate(from: MeshPoint, to: MeshPoint): Promise<SurfaceLeg | null> {
-    return this.#between(() => this.#worker.api.estimate(from, to));
-  }
-
-  enclosed(legs: readonly SurfaceLeg[]): Promise<Enclosure> {
-    return this.#between(() => this.#worker.api.enclosed(legs));
+    return this.#api.pose(moment, false);
   }
 
   dispose(): void {
@@ -325,21 +239,17 @@ export class Engine {
     this.#worker.end(new Cancelled());
   }
 
-  /** Asks what does not concern the field when no question and no step of refinement is under way; these take turns with it. */
   #between<T>(ask: () => Promise<T>): Promise<T> {
     const answered = this.#bettering.then(async () => {
       while (this.#busy) await this.#working;
       this.#busy = true;
       try {
-        return await this.#worker.call(ask());
+        return await ask();
       } finally {
         this.#working = this.#work();
       }
     });
-    this.#bettering = answered.then(
-      () => undefined,
-      () => undefined,
-    );
+    this.#bettering = settled(answered);
     return answered;
   }
 
@@ -361,10 +271,7 @@ export class Engine {
   /** One at a time: a slice that nobody waits for any more may still be under way. */
   #better(answer: Answer, work: () => Promise<Answer>): Promise<Answer | null> {
     const better = this.#bettering.then(() => this.#betterNow(answer, work));
-    this.#bettering = better.then(
-      () => undefined,
-      () => undefined,
-    );
+    this.#bettering = settled(better);
     return better;
   }
 
@@ -380,10 +287,10 @@ export class Engine {
   }
 
   async #answer(question: Question): Promise<Answer | null> {
-    const { api } = this.#worker;
+    const api = this.#api;
     const { parameters, sources } = question;
     if (question.method === 'heat' && parameters !== this.#parameters) {
-      this.#factoring = await this.#worker.call(api.configure(parameters));
+      this.#factoring = await api.configure(parameters);
       this.#parameters = parameters;
       this.#held = null;
     }
@@ -396,7 +303,7 @@ export class Engine {
     const laying = isLaid ? null : this.#lay(question.ground);
     if (this.opened.interior && question.inside !== this.#inside) {
       this.#inside = question.inside;
-      this.#view = await this.#worker.call(api.look(innerCutOf(question.inside, this.box)));
+      this.#view = await api.look(innerCutOf(question.inside, this.box));
     }
     const about = this.#about(question);
     if (sources.length === 0) {
@@ -425,17 +332,15 @@ export class Engine {
   async #solve(question: Question): Promise<(Known & Solved) | null> {
     this.#held = null;
     this.#solving = question;
-    const { api } = this.#worker;
+    const api = this.#api;
     const { quick } = question;
     const sources = [...question.sources];
     const about = this.#about(question);
     const request = requestOf(question, about.pathKind);
     try {
-      const solved = await this.#worker.call(
-        question.method === 'heat'
-          ? api.solve(sources, quick, request)
-          : api.propagate(sources, windowsOf(question, isWeighted(question.ground)), quick, request),
-      );
+      const solved = await (question.method === 'heat'
+        ? api.solve(sources, quick, request)
+        : api.propagate(sources, windowsOf(question, isWeighted(question.ground)), quick, request));
       if (!solved) return null;
       if (this.#solving === question) this.#held = { question, field: solved.field };
       this.#view = solved.inside;
@@ -452,7 +357,7 @@ export class Engine {
   }
 
   async #join({ bridge, links, moment }: Question): Promise<void> {
-    this.#factoring = await this.#worker.call(this.#worker.api.bridge(String(bridge), links, moment !== null));
+    this.#factoring = await this.#api.bridge(String(bridge), links, moment !== null);
     this.#bridge = bridge;
     this.#links = links;
     this.#joinedAt = moment;
@@ -464,18 +369,18 @@ export class Engine {
     this.#measured = moment;
     // Where distances are those of the file again, what is shown stays.
     if (moment) this.#shown = moment;
-    return this.#worker.call(this.#worker.api.pose(this.#shown, moment !== null));
+    return this.#api.pose(this.#shown, moment !== null);
   }
 
   #lay(ground: Ground): Promise<void> {
     const change = changeOf(this.#ground, ground);
     this.#held = null;
     this.#ground = ground;
-    return this.#worker.call(this.#worker.api.ground(change));
+    return this.#api.ground(change);
   }
 
   async #path(request: PathRequest | null): Promise<TracedPath> {
-    return request ? this.#worker.call(this.#worker.api.path(request)) : { path: null, pathMs: 0 };
+    return request ? this.#api.path(request) : { path: null, pathMs: 0 };
   }
 }
 
@@ -486,4 +391,12 @@ function windowsOf({ quick, windows }: Question, weighted: boolean): number {
 
 function requestOf({ from }: Question, kind: PathKind): PathRequest | null {
   return from && { from, kind };
+}
+
+/** Ends when a promise does, however it does. */
+function settled(promise: Promise<unknown>): Promise<void> {
+  return promise.then(
+    () => undefined,
+    () => undefined,
+  );
 }

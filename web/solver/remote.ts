@@ -1,10 +1,10 @@
 /** A worker of the solver, and the ways in which it can end. */
 import { type Remote, wrap } from 'comlink';
 import { Failure, toError } from '../error';
-import type { SolverApi } from '../protocol';
 import { OUT_OF_MEMORY } from '../wasm/contract';
 import { spawn } from './spawn';
 import { isOutOfMemory, isTrap } from './trap';
+import type { SolverApi } from './worker/entry';
 import { t } from '../texts';
 
 export class Cancelled extends Failure {
@@ -18,10 +18,20 @@ export class WorkerLost extends Failure {}
 
 const NOT_STARTED = t('The solver could not be started.');
 
+/** The functions of an object, each called where `make` wants it. */
+export function calling<T extends object>(object: T, make: <R>(call: () => Promise<R>) => Promise<R>): T {
+  const called =
+    (name: string | symbol) =>
+    (...given: unknown[]) =>
+      make(() => Reflect.get(object as object, name)(...given));
+  return new Proxy({} as T, { get: (_, name) => called(name) });
+}
+
 /** One worker and the calls to it. */
 export class SolverWorker {
   readonly #worker: Worker;
   readonly #ended = Promise.withResolvers<never>();
+  /** Its calls; each ends with the worker. */
   readonly api: Remote<SolverApi>;
   /** Resolves when the worker is lost, whether or not a call was under way; not when it is ended on purpose. */
   readonly lost: Promise<WorkerLost>;
@@ -29,7 +39,7 @@ export class SolverWorker {
   /** `module`: the solver's, compiled. */
   constructor(module: Promise<WebAssembly.Module>) {
     this.#worker = spawn();
-    this.api = wrap<SolverApi>(this.#worker);
+    this.api = calling(wrap<SolverApi>(this.#worker), (call) => this.during(call()));
     this.lost = new Promise((resolve) => {
       this.#ended.promise.catch((reason: unknown) => {
         if (reason instanceof WorkerLost) resolve(reason);
@@ -45,7 +55,7 @@ export class SolverWorker {
   }
 
   /** Comlink never settles the calls of a terminated worker, so every call races against the worker's end. */
-  async call<T>(answer: Promise<T>): Promise<T> {
+  async during<T>(answer: Promise<T>): Promise<T> {
     try {
       return await Promise.race([answer, this.#ended.promise]);
     } catch (error) {

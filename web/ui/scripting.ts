@@ -59,11 +59,11 @@ export interface Heatwalk {
   readonly tapes: readonly TapeFigures[];
   /** Distance at a place of the shown field, linear between those of vertices; Infinity where no source reaches; NaN where the mesh has no such place. */
   distanceAt(point: MeshPoint): number;
-  /** The exact one, as `SolverApi.exactDistances`. */
+  /** The exact one, as `Queries.exactDistances`. */
   exactDistanceAt(point: MeshPoint): Promise<number | null>;
-  /** #F × 3: vectors of the triangles by the field held by the solver; `SolverApi.gradients` says which. */
+  /** #F × 3: vectors of the triangles by the field held by the solver; `Queries.gradients` says which. */
   gradients(kind: FaceField): Promise<Float32Array>;
-  /** Logarithm of heat at the drawn vertices, as `SolverApi.heat` gives it. */
+  /** Logarithm of heat at the drawn vertices, as `Queries.heat` gives it. */
   heat(): Promise<Float32Array>;
   /** A PNG of the scene once all is settled, `scale` times as large as the window, with a transparent background if `clear`. */
   picture(scale?: number, clear?: boolean): Promise<Blob>;
@@ -153,8 +153,8 @@ export function expose(
       return shown?.answer.field ? shown.places.valueAt(point, shown.answer.field) : Number.NaN;
     },
     exactDistanceAt: (point) => exactDistanceAt(session, point),
-    gradients: async (kind) => openEngine(session).gradients(kind),
-    heat: async () => openEngine(session).heat(),
+    gradients: async (kind) => openEngine(session).queries.gradients(kind),
+    heat: async () => openEngine(session).queries.heat(),
     async picture(scale = 1, clear = false) {
       await api.settled();
       // What is wanted since the field came is asked for in the next frame.

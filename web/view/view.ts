@@ -1,6 +1,6 @@
 /** What is shown on the screen. It is kept, so that a renderer that was lost is made again with the scene intact. */
 import { Failure, toError } from '../error';
-import type { Appearance, DrawMesh, DrawPose, InnerView, MeshPoint, Shade, SurfacePath } from '../protocol';
+import type { Appearance, DrawMesh, DrawPose, InnerView, MeshPoint, Shade, DrawPath } from '../protocol';
 import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
 import type { Place } from '../state/places';
 import { type Vector, vectorAt } from '../state/vector';
@@ -250,7 +250,7 @@ export class View extends Screen {
     this.#show('pins', (viewer) => viewer.set_pins(positions, normals, selected));
   }
 
-  setPath(path: SurfacePath | null): void {
+  setPath(path: DrawPath | null): void {
     const points = path?.points ?? new Float32Array();
     const normals = path?.normals ?? new Float32Array();
     this.#picture.stride = path && path.length > 0 ? path.drawnLength / path.length : 1;
@@ -264,7 +264,7 @@ export class View extends Screen {
     this.#show('walker', (viewer) => viewer.set_walker(drawn));
   }
 
-  /** `#walkers × 10`, as `SolverApi.stepCrowd` gives them. */
+  /** `#walkers × 10`, as `Queries.stepCrowd` gives them. */
   setCrowd(poses: Float32Array): void {
     this.#show('crowd', (viewer) => viewer.set_crowd(poses, CROWD_HEIGHT));
   }

@@ -1,19 +1,45 @@
-//! What the wasm modules of the page's worker share: failures as JavaScript sees them, and the options of the solver in the page's
-//! words.
+//! What the wasm modules of the page's worker share: what they answer, failures as JavaScript sees them, and the options
+//! of the solver in the page's words.
 
 #![cfg(target_arch = "wasm32")]
 
+// What the derived code calls it, here too.
+extern crate self as heatwalk_bindings;
+
 mod failure;
+mod message;
 mod parameters;
+mod transform;
 
 use std::ops::ControlFlow;
 
-use heatwalk::Stage;
-use js_sys::{Function, Reflect, Uint8Array};
-use wasm_bindgen::{JsCast, JsValue};
+use heatwalk::{Choice, Stage};
+use js_sys::{Array, Function, Reflect, Uint8Array};
+use wasm_bindgen::prelude::*;
 
 pub use failure::{Failure, Result, end};
+pub use heatwalk_message::Message;
+pub use message::{DrawPath, Field, FieldError, object};
 pub use parameters::parameters;
+pub use transform::{DrawTransform, transform};
+
+/// The types of arguments that have no type in Rust: names and options are those of the generated contract.
+#[wasm_bindgen(typescript_custom_section)]
+const ARGUMENTS: &str = "
+import type { EdgeKind, FaceField, Parameters, PathKind, Stage, Up } from '../contract';
+
+/** Told before each stage, with the fraction that is done, 0 to 1. */
+export type Progress = (stage: Stage, fraction: number) => void;
+
+/** The bytes of the file that a mesh refers to by this relative URI, percent-decoded; undefined where it was not given. */
+export type Resource = (uri: string) => Uint8Array | undefined;
+";
+
+/// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
+#[wasm_bindgen(start)]
+pub fn start() {
+    std::panic::set_hook(Box::new(|panic| end(&panic.to_string())));
+}
 
 /// The files that a mesh refers to, by a function of JavaScript that gives their bytes, or undefined where one was not given.
 pub fn resources(function: &Function) -> impl Fn(&str) -> Option<Vec<u8>> {
@@ -26,7 +52,7 @@ pub fn resources(function: &Function) -> impl Fn(&str) -> Option<Vec<u8>> {
 /// Passes the stages of factoring on to the page. What the page does with them is no reason to stop.
 pub fn reporter(progress: &Function) -> impl FnMut(Stage, f64) -> ControlFlow<()> {
     move |stage, fraction| {
-        let _ = progress.call2(&JsValue::NULL, &stage.to_string().into(), &fraction.into());
+        let _ = progress.call2(&JsValue::NULL, &stage.name().into(), &fraction.into());
         ControlFlow::Continue(())
     }
 }
@@ -40,4 +66,10 @@ pub fn logarithms(heat: &[f64]) -> impl Iterator<Item = f64> {
 /// A property of an object that is a number.
 pub fn number(object: &JsValue, key: &str) -> Option<f64> {
     Reflect::get(object, &key.into()).ok().and_then(|value| value.as_f64())
+}
+
+/// A property of an object that is a list of numbers.
+pub fn numbers(object: &JsValue, key: &str) -> Vec<f64> {
+    let list = Reflect::get(object, &key.into()).map(|list| Array::from(&list)).unwrap_or_default();
+    list.iter().map(|value| value.as_f64().unwrap_or(f64::NAN)).collect()
 }

@@ -13,8 +13,12 @@ use anyhow::{Context, Result};
 
 use self::read::Definitions;
 
+pub use self::read::doc;
+pub use self::typescript::{camel, documented};
+
 /// What defines the contract, in the order in which it is written.
-const SOURCES: [&str; 2] = ["crate/solver/src/options.rs", "crate/bindings/src/failure.rs"];
+const SOURCES: [&str; 3] =
+    ["crate/solver/src/options.rs", "crate/solver/src/progress.rs", "crate/bindings/src/failure.rs"];
 
 /// Where the page finds it.
 const MODULE: &str = "web/wasm/contract.ts";

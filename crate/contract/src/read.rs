@@ -237,7 +237,8 @@ fn numbers(expression: &Expr) -> Option<(Vec<u32>, bool)> {
 }
 
 /// The lines of a documentation comment.
-fn doc(attributes: &[Attribute]) -> Vec<String> {
+#[must_use]
+pub fn doc(attributes: &[Attribute]) -> Vec<String> {
     let line = |attribute: &Attribute| {
         let Meta::NameValue(meta) = &attribute.meta else { return None };
         let Expr::Lit(value) = &meta.value else { return None };

@@ -11,7 +11,7 @@ use crate::read::{Choice, Definitions, Field, FieldKind, Options};
 /// # Errors
 /// Where the options name a choice that is not defined.
 pub fn module(definitions: &Definitions, sources: &[&str]) -> Result<String> {
-    let mut text = format!("// Made by `cargo xtask wasm` from {}.\n", sources.join(" and "));
+    let mut text = format!("// Made by `cargo xtask wasm` from {}.\n", sources.join(", "));
     text += "
 /** Names to choose from, in the order in which they are offered. */
 export interface Choice<Name extends string> {
@@ -102,7 +102,8 @@ fn quoted(text: &str) -> String {
 }
 
 /// A comment above what is exported, after an empty line.
-fn documented(lines: &[String], indent: &str) -> String {
+#[must_use]
+pub fn documented(lines: &[String], indent: &str) -> String {
     let lines: Vec<String> = lines.iter().map(|line| line.replace("*/", "* /")).collect();
     match &lines[..] {
         [] => "\n".to_owned(),
@@ -127,7 +128,8 @@ fn constant(name: &str) -> String {
 }
 
 /// `field_name` as `fieldName`.
-fn camel(name: &str) -> String {
+#[must_use]
+pub fn camel(name: &str) -> String {
     let mut parts = name.split('_');
     let first = parts.next().unwrap_or_default().to_owned();
     parts.fold(first, |name, part| {

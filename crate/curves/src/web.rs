@@ -2,8 +2,7 @@
 
 use glam::DVec3;
 use heatwalk::{Soup, Up, io};
-use heatwalk_bindings::{Failure, Result, resources};
-use heatwalk_scene::DrawTransform;
+use heatwalk_bindings::{Failure, Message, Result, resources, transform};
 use js_sys::Function;
 use wasm_bindgen::prelude::*;
 
@@ -23,14 +22,20 @@ pub struct Curves {
     isolines: Isolines,
 }
 
-/// The types of arguments that have no type in Rust.
-#[wasm_bindgen(typescript_custom_section)]
-const ARGUMENTS: &str = "
-import type { Up } from '../contract';
-
-/** The bytes of the file that a mesh refers to by this relative URI; undefined where it was not given. */
-export type Resource = (uri: string) => Uint8Array | undefined;
-";
+/// An isoline, in the unit of the file.
+#[derive(Message)]
+pub struct IsolineRow {
+    /// The distance that it is at.
+    pub value: f64,
+    /// How long it is.
+    pub length: f64,
+    /// What area is nearer.
+    pub area: f64,
+    /// How many curves it has.
+    pub curves: usize,
+    /// How many of them are closed.
+    pub closed: usize,
+}
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
@@ -63,27 +68,25 @@ impl Curves {
         Ok(Self { field, levels, isolines })
     }
 
-    /// `#isolines × 5`: value, length, enclosed area, how many curves, and how many of them are closed.
-    pub fn table(&self) -> Vec<f64> {
-        let row = |isoline: &Isoline| {
-            let closed = isoline.curves.iter().filter(|curve| curve.is_closed).count();
-            [isoline.value, isoline.length, isoline.enclosed_area, isoline.curves.len() as f64, closed as f64]
+    /// The isolines, by value.
+    #[must_use]
+    pub fn rows(&self) -> Vec<IsolineRow> {
+        let row = |isoline: &Isoline| IsolineRow {
+            value: isoline.value,
+            length: isoline.length,
+            area: isoline.enclosed_area,
+            curves: isoline.curves.len(),
+            closed: isoline.curves.iter().filter(|curve| curve.is_closed).count(),
         };
-        self.isolines.isolines.iter().flat_map(row).collect()
+        self.isolines.isolines.iter().map(row).collect()
     }
 
     /// `#segments × 2 × 3`, ends of all segments, as they are drawn.
     ///
     /// # Errors
     /// For a center that is not three numbers, or an axis that there is not.
-    pub fn ends(
-        &self,
-        center: &[f64],
-        scale: f64,
-        #[wasm_bindgen(unchecked_param_type = "Up")] up: &str,
-    ) -> Result<Vec<f32>> {
-        let center = center.try_into().map_err(|_| Failure::misuse("a center is three numbers"))?;
-        let transform = DrawTransform { center: DVec3::from_array(center), scale, up: up.parse()? };
+    pub fn ends(&self, #[wasm_bindgen(unchecked_param_type = "DrawTransform")] drawn: &JsValue) -> Result<Vec<f32>> {
+        let transform = transform(drawn)?;
         let curves = self.isolines.isolines.iter().flat_map(|isoline| &isoline.curves);
         Ok(transform.places(curves.flat_map(|curve| curve.segments().flatten())))
     }

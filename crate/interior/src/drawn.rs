@@ -5,10 +5,9 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use heatwalk::VertexId;
-use heatwalk_bindings::{Failure, Result, number};
+use heatwalk_bindings::{Failure, Result, number, numbers};
 use heatwalk_scene::DrawTransform;
 use heatwalk_volume::{Error, TetId, TetMesh, TetPoint, TetSoup, TetSource, edge_polyline};
-use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 
 /// What [`Drawn::point`] and [`Drawn::source`] read.
@@ -117,7 +116,7 @@ impl Drawn {
     /// Vectors of tetrahedra as vectors of the drawn triangles, turned as they are drawn, three numbers each.
     pub fn spread_vectors(&self, vectors: &[DVec3]) -> Vec<f32> {
         let of = |tetrahedron: &Option<TetId>| tetrahedron.map_or(DVec3::ZERO, |own| vectors[own.index()]);
-        self.tetrahedra.iter().flat_map(|own| self.transform.direction(of(own)).as_vec3().to_array()).collect()
+        self.transform.directions(self.tetrahedra.iter().map(of))
     }
 
     /// The tetrahedron of the input that a tetrahedron is.
@@ -153,8 +152,8 @@ impl Drawn {
         if let Some(vertex) = number(place, "vertex") {
             return Ok(TetPoint::Vertex(self.vertex(vertex as u32)?));
         }
-        let weights = Reflect::get(place, &"weights".into()).map(|weights| Array::from(&weights)).unwrap_or_default();
-        let weight = |corner: usize| weights.get(corner as u32).as_f64().unwrap_or(f64::NAN);
+        let weights = numbers(place, "weights");
+        let weight = |corner: usize| weights.get(corner).copied().unwrap_or(f64::NAN);
         let (tetrahedron, named): (TetId, Vec<(u32, f64)>) = if let Some(face) = number(place, "face") {
             let tetrahedron = self.tetrahedra.get(face as usize).copied().flatten();
             let tetrahedron = tetrahedron.ok_or_else(|| Failure::misuse("there is no such triangle"))?;

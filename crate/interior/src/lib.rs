@@ -16,8 +16,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use heatwalk::{Soup, Surface};
-use heatwalk_bindings::{Failure, Result, resources};
-use heatwalk_scene::DrawTransform;
+use heatwalk_bindings::{Failure, Result, resources, transform};
 use heatwalk_volume::fill::{Resolution, Solid};
 use heatwalk_volume::io;
 use heatwalk_volume::{TetMesh, TetSoup, shapes};
@@ -28,23 +27,12 @@ use crate::drawn::Drawn;
 use crate::results::{InnerReport, Origin};
 use crate::solver::InnerSolver;
 
-/// The types of arguments that have no type in Rust.
+/// What [`Tetrahedra::fill`] calls.
 #[wasm_bindgen(typescript_custom_section)]
-const ARGUMENTS: &str = "
-import type { FaceField, Parameters, Up } from '../contract';
-
+const PROGRESS: &str = "
 /** Told the fraction that is done, 0 to 1. */
 export type FillProgress = (fraction: number) => void;
-
-/** The bytes of the file that a mesh refers to by this relative URI; undefined where it was not given. */
-export type Resource = (uri: string) => Uint8Array | undefined;
 ";
-
-/// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
-#[wasm_bindgen(start)]
-pub fn start() {
-    std::panic::set_hook(Box::new(|panic| heatwalk_bindings::end(&panic.to_string())));
-}
 
 /// Tetrahedra, checked, with their neighbors.
 #[wasm_bindgen]
@@ -118,13 +106,8 @@ impl Tetrahedra {
     }
 
     /// `#V × 3`, where the vertices of the input are drawn.
-    pub fn places(
-        &self,
-        center: &[f64],
-        scale: f64,
-        #[wasm_bindgen(unchecked_param_type = "Up")] up: &str,
-    ) -> Result<Vec<f32>> {
-        Ok(transform(center, scale, up)?.places(self.soup.positions.iter().copied()))
+    pub fn places(&self, #[wasm_bindgen(unchecked_param_type = "DrawTransform")] drawn: &JsValue) -> Result<Vec<f32>> {
+        Ok(transform(drawn)?.places(self.soup.positions.iter().copied()))
     }
 
     /// `#T × 4`, corners of the tetrahedra of the input.
@@ -138,19 +121,11 @@ impl Tetrahedra {
         &self,
         vertices: &[u32],
         triangles: &[u32],
-        center: &[f64],
-        scale: f64,
-        #[wasm_bindgen(unchecked_param_type = "Up")] up: &str,
+        #[wasm_bindgen(unchecked_param_type = "DrawTransform")] drawn: &JsValue,
     ) -> Result<InnerSolver> {
-        let transform = transform(center, scale, up)?;
-        let drawn = Drawn::new(&self.soup, &self.mesh, vertices, triangles.as_chunks().0, transform);
+        let drawn = Drawn::new(&self.soup, &self.mesh, vertices, triangles.as_chunks().0, transform(drawn)?);
         Ok(InnerSolver::new(&self.mesh, drawn))
     }
-}
-
-fn transform(center: &[f64], scale: f64, up: &str) -> Result<DrawTransform> {
-    let center = center.try_into().map_err(|_| Failure::misuse("a center is three numbers"))?;
-    Ok(DrawTransform { center: DVec3::from_array(center), scale, up: up.parse()? })
 }
 
 /// A boundary, counter-clockwise seen from outside.

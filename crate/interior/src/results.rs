@@ -1,13 +1,12 @@
-//! What the page gets: objects whose properties, made plain by `toJSON`, are the messages of the page's protocol.
+//! What the page gets of tetrahedra.
 
 use glam::DVec3;
 use heatwalk::VertexId;
+use heatwalk_bindings::{DrawPath, Field, Message};
 use heatwalk_scene::DrawTransform;
 use heatwalk_volume::fill::FillReport;
 use heatwalk_volume::io::CellCounts;
 use heatwalk_volume::{TetMesh, VolumeDistance, VolumeMethod, VolumePath};
-use js_sys::Float32Array;
-use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
 
@@ -19,41 +18,36 @@ pub(crate) enum Origin {
 }
 
 /// What tetrahedra are and how they came about, in counts and in the file's unit.
-#[wasm_bindgen(inspectable)]
+#[derive(Message)]
 pub struct InnerReport {
     /// Number of tetrahedra.
-    pub tetrahedra: u32,
+    pub tetrahedra: usize,
     /// Number of their vertices.
-    pub vertices: u32,
+    pub vertices: usize,
     /// Vertices of the input.
-    #[wasm_bindgen(js_name = inputVertices)]
-    pub input_vertices: u32,
+    pub input_vertices: usize,
     /// Connected components.
-    pub components: u32,
+    pub components: usize,
     /// Of all tetrahedra, in the unit cubed.
     pub volume: f64,
     /// The least dihedral angle, in degrees.
-    #[wasm_bindgen(js_name = leastAngle)]
     pub least_angle: f64,
     /// The largest dihedral angle, in degrees.
-    #[wasm_bindgen(js_name = largestAngle)]
     pub largest_angle: f64,
     /// Mean length of the edges.
-    #[wasm_bindgen(js_name = meanEdge)]
     pub mean_edge: f64,
     /// Left out because they have no volume, or repeat another.
-    #[wasm_bindgen(js_name = leftOut)]
-    pub left_out: u32,
+    pub left_out: usize,
     /// Turned to be oriented alike.
-    pub turned: u32,
+    pub turned: usize,
     /// Whether a surface was filled.
-    #[wasm_bindgen(js_name = isFilled)]
     pub is_filled: bool,
     /// Holes of the surface that were closed when it was filled.
-    pub holes: u32,
+    pub holes: usize,
     /// How far the boundary is from the surface that was filled, at most.
     pub deviation: f64,
-    remark: String,
+    /// What was done to the cells of the file, in words; empty where nothing was.
+    pub remark: String,
 }
 
 impl InnerReport {
@@ -64,160 +58,72 @@ impl InnerReport {
             Origin::File(_) | Origin::Code => (0, 0.0),
         };
         Self {
-            tetrahedra: report.tetrahedra as u32,
-            vertices: report.vertices as u32,
-            input_vertices: report.input_vertices as u32,
-            components: report.components as u32,
+            tetrahedra: report.tetrahedra,
+            vertices: report.vertices,
+            input_vertices: report.input_vertices,
+            components: report.components,
             volume: report.volume,
             least_angle: quality.least_angle,
             largest_angle: quality.largest_angle,
             mean_edge: mesh.mean_edge(),
-            left_out: (report.flat_tetrahedra + report.duplicate_tetrahedra) as u32,
-            turned: report.inverted_tetrahedra as u32,
+            left_out: (report.flat_tetrahedra + report.duplicate_tetrahedra),
+            turned: report.inverted_tetrahedra,
             is_filled: matches!(origin, Origin::Fill(_)),
-            holes: holes as u32,
+            holes,
             deviation,
             remark: if let Origin::File(cells) = origin { cells.to_string() } else { String::new() },
         }
     }
 }
 
-#[wasm_bindgen]
-impl InnerReport {
-    /// What was done to the cells of the file, in words; empty where nothing was.
-    #[wasm_bindgen(getter)]
-    pub fn remark(&self) -> String {
-        self.remark.clone()
-    }
-}
-
-/// Distance inside, at the drawn vertices.
-#[wasm_bindgen(inspectable)]
-pub struct InnerField {
-    values: Vec<f32>,
-    inner: Vec<f32>,
-    max: f64,
-    unreachable: u32,
-    exact_below: f64,
-    exact_share: f64,
-    time_factor: Option<f64>,
-}
-
-impl InnerField {
-    pub(crate) fn new(drawn: &Drawn, distance: &VolumeDistance, time_factor: Option<f64>) -> Self {
-        let count = distance.values.len();
-        let unreachable = distance.unreachable();
-        let (exact_below, exact) = match distance.method {
-            VolumeMethod::Heat => {
-                let below = distance.exact_below;
-                (below, distance.values.iter().filter(|&&value| value < below).count())
-            }
-            VolumeMethod::March => {
-                let bent = (0..count).filter(|&vertex| !distance.is_straight(VertexId(vertex as u32)));
-                let bent = bent.map(|vertex| distance.values[vertex]).filter(|value| value.is_finite());
-                let (least, bent) =
-                    bent.fold((f64::INFINITY, 0), |(least, count), value| (least.min(value), count + 1));
-                (least, count - unreachable - bent)
-            }
-        };
-        Self {
-            values: drawn.spread(&distance.values),
-            inner: drawn.to_inputs(&distance.values),
-            max: distance.max(),
-            unreachable: unreachable as u32,
-            exact_below,
-            exact_share: exact as f64 / (count - unreachable).max(1) as f64,
-            time_factor: time_factor.filter(|_| distance.method == VolumeMethod::Heat),
+/// Distance inside, at the drawn vertices and at those of the input.
+pub(crate) fn field(drawn: &Drawn, distance: &VolumeDistance, time_factor: Option<f64>) -> Field {
+    let count = distance.values.len();
+    let unreachable = distance.unreachable();
+    let (exact_below, exact) = match distance.method {
+        VolumeMethod::Heat => {
+            let below = distance.exact_below;
+            (below, distance.values.iter().filter(|&&value| value < below).count())
         }
-    }
-}
-
-#[wasm_bindgen]
-impl InnerField {
-    /// One value a drawn vertex; Infinity where no source can be reached.
-    #[wasm_bindgen(getter)]
-    pub fn distance(&self) -> Float32Array {
-        self.values.as_slice().into()
-    }
-
-    /// One value a vertex of the input; Infinity where no source can be reached.
-    #[wasm_bindgen(getter)]
-    pub fn inner(&self) -> Float32Array {
-        self.inner.as_slice().into()
-    }
-
-    /// Values are those of vertices.
-    #[wasm_bindgen(getter, js_name = byCorner)]
-    pub fn is_by_corner(&self) -> bool {
-        false
-    }
-
-    /// Largest finite distance, inside or on the boundary.
-    #[wasm_bindgen(getter, js_name = maxDistance)]
-    pub fn max(&self) -> f64 {
-        self.max
-    }
-
-    /// Vertices that no source reaches.
-    #[wasm_bindgen(getter, js_name = unreachableVertices)]
-    pub fn unreachable(&self) -> u32 {
-        self.unreachable
-    }
-
-    /// Values below this are exact; Infinity when all are.
-    #[wasm_bindgen(getter, js_name = exactBelow)]
-    pub fn exact_below(&self) -> f64 {
-        self.exact_below
-    }
-
-    /// Share of the reachable vertices whose value is exact, 0 to 1.
-    #[wasm_bindgen(getter, js_name = exactShare)]
-    pub fn exact_share(&self) -> f64 {
-        self.exact_share
-    }
-
-    /// Undefined: there are no windows.
-    #[wasm_bindgen(getter)]
-    pub fn windows(&self) -> Option<u16> {
-        None
-    }
-
-    /// m in t = m h²; undefined where the field was found by the march.
-    #[wasm_bindgen(getter, js_name = timeFactor)]
-    pub fn time_factor(&self) -> Option<f64> {
-        self.time_factor
+        VolumeMethod::March => {
+            let bent = (0..count).filter(|&vertex| !distance.is_straight(VertexId(vertex as u32)));
+            let bent = bent.map(|vertex| distance.values[vertex]).filter(|value| value.is_finite());
+            let (least, bent) = bent.fold((f64::INFINITY, 0), |(least, count), value| (least.min(value), count + 1));
+            (least, count - unreachable - bent)
+        }
+    };
+    Field {
+        distance: drawn.spread(&distance.values),
+        inner: Some(drawn.to_inputs(&distance.values)),
+        by_corner: false,
+        max_distance: distance.max(),
+        unreachable_vertices: unreachable,
+        exact_below,
+        exact_share: exact as f64 / (count - unreachable).max(1) as f64,
+        time_factor: time_factor.filter(|_| distance.method == VolumeMethod::Heat),
+        windows: None,
+        error: None,
     }
 }
 
 /// A path inside, from its start to the source.
-#[wasm_bindgen(inspectable)]
-pub struct InnerPath {
-    points: Vec<f32>,
-    normals: Vec<f32>,
-    length: f64,
-    straight: f64,
-    drawn_length: f32,
-    cost: f64,
-}
-
-impl InnerPath {
-    pub(crate) fn new(path: &VolumePath, transform: &DrawTransform) -> Self {
-        let places: Vec<DVec3> = path.points.iter().map(|&point| transform.place(point).as_dvec3()).collect();
-        let heading = |at: usize| {
-            let [before, after] = [at.saturating_sub(1), (at + 1).min(places.len() - 1)];
-            (places[after] - places[before]).normalize_or(DVec3::X)
-        };
-        Self {
-            points: places.iter().flat_map(|place| place.as_vec3().to_array()).collect(),
-            normals: (0..places.len()).flat_map(|at| upright(heading(at)).as_vec3().to_array()).collect(),
-            length: path.length,
-            straight: match (path.points.first(), path.points.last()) {
-                (Some(first), Some(last)) => first.distance(*last),
-                _ => 0.0,
-            },
-            drawn_length: transform.length(path.length),
-            cost: path.cost,
-        }
+pub(crate) fn draw_path(path: &VolumePath, transform: &DrawTransform) -> DrawPath {
+    let places: Vec<DVec3> = path.points.iter().map(|&point| transform.place(point).as_dvec3()).collect();
+    let heading = |at: usize| {
+        let [before, after] = [at.saturating_sub(1), (at + 1).min(places.len() - 1)];
+        (places[after] - places[before]).normalize_or(DVec3::X)
+    };
+    DrawPath {
+        points: places.iter().flat_map(|place| place.as_vec3().to_array()).collect(),
+        normals: (0..places.len()).flat_map(|at| upright(heading(at)).as_vec3().to_array()).collect(),
+        length: path.length,
+        straight: match (path.points.first(), path.points.last()) {
+            (Some(first), Some(last)) => first.distance(*last),
+            _ => 0.0,
+        },
+        cost: path.cost,
+        segment_costs: Vec::new(),
+        drawn_length: transform.length(path.length),
     }
 }
 
@@ -230,48 +136,3 @@ fn upright(heading: DVec3) -> DVec3 {
 
 /// Share of a unit heading that is upward from which on walkers lie on their backs.
 const STEEPEST: f64 = 0.999;
-
-#[wasm_bindgen]
-impl InnerPath {
-    /// `#P × 3`, from the start to the source, as they are drawn.
-    #[wasm_bindgen(getter)]
-    pub fn points(&self) -> Float32Array {
-        self.points.as_slice().into()
-    }
-
-    /// `#P × 3`, unit vectors upward at the points, across the path.
-    #[wasm_bindgen(getter)]
-    pub fn normals(&self) -> Float32Array {
-        self.normals.as_slice().into()
-    }
-
-    /// Its length in the file's unit.
-    #[wasm_bindgen(getter)]
-    pub fn length(&self) -> f64 {
-        self.length
-    }
-
-    /// How far its ends are apart, in the file's unit.
-    #[wasm_bindgen(getter)]
-    pub fn straight(&self) -> f64 {
-        self.straight
-    }
-
-    /// What it costs.
-    #[wasm_bindgen(getter)]
-    pub fn cost(&self) -> f64 {
-        self.cost
-    }
-
-    /// Empty: all cost 1.
-    #[wasm_bindgen(getter, js_name = segmentCosts)]
-    pub fn segment_costs(&self) -> Float32Array {
-        Float32Array::default()
-    }
-
-    /// Length of the line through the points.
-    #[wasm_bindgen(getter, js_name = drawnLength)]
-    pub fn drawn_length(&self) -> f32 {
-        self.drawn_length
-    }
-}

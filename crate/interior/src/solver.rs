@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use heatwalk::{EdgeKind, FaceField, MemoryLimit};
-use heatwalk_bindings::{Failure, Result, logarithms, parameters, reporter};
+use heatwalk_bindings::{DrawPath, Failure, Field, Result, logarithms, parameters, reporter};
 use heatwalk_volume::crowd::VolumePose;
 use heatwalk_volume::io::write;
 use heatwalk_volume::{TetMesh, VolumeCrowd, VolumeDistance, VolumeMethod, VolumeOptions, VolumeSolver};
@@ -12,7 +12,7 @@ use js_sys::{Array, Function, Object};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::results::{InnerField, InnerPath};
+use crate::results::{draw_path, field};
 use crate::view::InnerView;
 
 /// Most memory of factors where no limit is given. In three dimensions more take half a minute and longer, and what the work on
@@ -45,13 +45,13 @@ impl InnerSolver {
         }
     }
 
-    fn answer(&mut self, sources: &Array, options: &VolumeOptions) -> Result<InnerField> {
+    fn answer(&mut self, sources: &Array, options: &VolumeOptions) -> Result<Field> {
         let sources = sources.iter().map(|source| self.drawn.source(&source)).collect::<Result<Vec<_>>>()?;
         let distance = self.solver.distance(&sources, options)?;
-        let field = InnerField::new(&self.drawn, &distance, self.solver.time_factor());
+        let answer = field(&self.drawn, &distance, self.solver.time_factor());
         self.distance = Some(distance);
         self.lead_crowd()?;
-        Ok(field)
+        Ok(answer)
     }
 
     fn lead_crowd(&mut self) -> Result<()> {
@@ -73,7 +73,7 @@ impl InnerSolver {
     pub fn configure(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "Partial<Parameters>")] given: &Object,
-        #[wasm_bindgen(unchecked_param_type = "(stage: string, fraction: number) => void")] progress: &Function,
+        #[wasm_bindgen(unchecked_param_type = "Progress")] progress: &Function,
     ) -> Result<()> {
         self.options.heat = parameters(given)?;
         if self.options.heat.memory == MemoryLimit::Automatic {
@@ -94,7 +94,7 @@ impl InnerSolver {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "readonly object[]")] sources: &Array,
         quick: bool,
-    ) -> Result<InnerField> {
+    ) -> Result<Field> {
         let options = VolumeOptions { method: VolumeMethod::Heat, ..self.options };
         self.answer(sources, &if quick { options.quick() } else { options })
     }
@@ -103,15 +103,15 @@ impl InnerSolver {
     pub fn propagate(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "readonly object[]")] sources: &Array,
-    ) -> Result<InnerField> {
+    ) -> Result<Field> {
         let options = VolumeOptions { method: VolumeMethod::March, ..self.options };
         self.answer(sources, &options)
     }
 
     /// The path from a place to its nearest source.
-    pub fn path(&self, #[wasm_bindgen(unchecked_param_type = "object")] from: &JsValue) -> Result<InnerPath> {
+    pub fn path(&self, #[wasm_bindgen(unchecked_param_type = "object")] from: &JsValue) -> Result<DrawPath> {
         let path = self.solver.path(self.solved()?, self.drawn.point(from)?)?;
-        Ok(InnerPath::new(&path, &self.drawn.transform))
+        Ok(draw_path(&path, &self.drawn.transform))
     }
 
     /// `#F × 3`, the drawn triangles beside each drawn one, across the edges from its corners to the next; itself where there is none.
@@ -129,11 +129,11 @@ impl InnerSolver {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "object")] from: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "object")] to: &JsValue,
-    ) -> Result<InnerPath> {
+    ) -> Result<DrawPath> {
         let [from, to] = [self.drawn.point(from)?, self.drawn.point(to)?];
         let options = VolumeOptions { method: VolumeMethod::March, ..VolumeOptions::default() };
         let distance = self.solver.distance(&[to], &options)?;
-        Ok(InnerPath::new(&self.solver.path(&distance, from)?, &self.drawn.transform))
+        Ok(draw_path(&self.solver.path(&distance, from)?, &self.drawn.transform))
     }
 
     /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.

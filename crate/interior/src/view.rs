@@ -1,11 +1,11 @@
 //! What is seen of the inside: the cut, shells of equal distance, arrows.
 
 use glam::DVec3;
-use heatwalk_bindings::{Failure, Result, number};
+use heatwalk_bindings::{Failure, Message, Result, number, numbers};
 use heatwalk_scene::DrawTransform;
 use heatwalk_volume::section::{Cut, Plane, Section, Shells};
 use heatwalk_volume::{TetMesh, VolumeDistance};
-use js_sys::{Array, Float32Array, Int8Array, Reflect, Uint32Array};
+use js_sys::Reflect;
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
@@ -35,28 +35,36 @@ const MOST_EXPLODED: usize = 300_000;
 const LEAST_SPACING: f64 = 0.02;
 
 /// What is drawn of the inside.
-#[wasm_bindgen(inspectable)]
-#[derive(Default)]
+#[derive(Default, Message)]
 pub struct InnerView {
-    positions: Vec<f32>,
-    normals: Vec<f32>,
-    values: Vec<f32>,
-    tangents: Vec<i8>,
-    triangles: Vec<u32>,
-    tetrahedra: Vec<u32>,
-    weights: Vec<f32>,
-    hides_surface: bool,
-    shells: ShellArrays,
-    arrow_places: Vec<f32>,
-    arrow_vectors: Vec<f32>,
-}
-
-#[derive(Default)]
-struct ShellArrays {
-    positions: Vec<f32>,
-    normals: Vec<f32>,
-    values: Vec<f32>,
-    triangles: Vec<u32>,
+    /// `#N × 3`, the section, as it is drawn.
+    pub positions: Vec<f32>,
+    /// `#N × 3`, unit length.
+    pub normals: Vec<f32>,
+    /// `#N`, distances; Infinity where no source can be reached; empty without a field.
+    pub values: Vec<f32>,
+    /// `#N × 4`: direction in which distance grows, 127 for a unit; the fourth number is 0.
+    pub tangents: Vec<i8>,
+    /// `#T × 3`, indices of the section's vertices.
+    pub triangles: Vec<u32>,
+    /// `#T`, the tetrahedron of the input that each triangle is in.
+    pub tetrahedra: Vec<u32>,
+    /// `#N × 4`, barycentric weights of each vertex in the tetrahedron of its triangles, by the corners that it has in the input.
+    pub weights: Vec<f32>,
+    /// Whether the section stands in for the boundary.
+    pub hides_surface: bool,
+    /// `#S × 3`, shells of equal distance, as they are drawn.
+    pub shell_positions: Vec<f32>,
+    /// `#S × 3`, unit length, away from the sources.
+    pub shell_normals: Vec<f32>,
+    /// `#S`, distances.
+    pub shell_values: Vec<f32>,
+    /// Three indices of vertices of shells a triangle.
+    pub shell_triangles: Vec<u32>,
+    /// `#A × 3`, where arrows are drawn.
+    pub arrow_places: Vec<f32>,
+    /// `#A × 3`, the gradient of distance there.
+    pub arrow_vectors: Vec<f32>,
 }
 
 impl InnerView {
@@ -89,7 +97,11 @@ impl InnerView {
         view.hides_surface = gap > 0.0 || is_whole || has_only_shells;
         if let Some(distance) = distance.filter(|_| spacing > 0.0) {
             let levels = levels(distance.max(), spacing.max(LEAST_SPACING));
-            view.shells = ShellArrays::new(&Shells::in_cut(mesh, distance, &levels, &cut)?, &drawn.transform);
+            let shells = Shells::in_cut(mesh, distance, &levels, &cut)?;
+            view.shell_positions = drawn.transform.places(shells.positions);
+            view.shell_normals = drawn.transform.directions(shells.normals);
+            view.shell_values = shells.values.iter().map(|&value| value as f32).collect();
+            view.shell_triangles = shells.triangles.into_flattened();
         }
         if let Some(distance) = distance.filter(|_| flag(wanted, "arrows")) {
             view.add_arrows(mesh, drawn, distance, &section)?;
@@ -108,7 +120,7 @@ impl InnerView {
         let tetrahedron = |corners: &[u32; 3]| drawn.input_of(section.tetrahedra[corners[0] as usize]);
         Ok(Self {
             positions: drawn.transform.places(section.positions.iter().copied()),
-            normals: directions(&section.normals, &drawn.transform),
+            normals: drawn.transform.directions(section.normals.iter().copied()),
             values,
             tangents,
             triangles: section.triangles.as_flattened().to_vec(),
@@ -133,107 +145,9 @@ impl InnerView {
         let middle =
             |corners: &[u32; 3]| corners.iter().map(|&corner| section.positions[corner as usize]).sum::<DVec3>() / 3.0;
         self.arrow_places = drawn.transform.places(section.triangles.iter().map(middle));
-        let of_triangle: Vec<DVec3> = section.triangles.iter().map(|corners| gradients[corners[0] as usize]).collect();
-        self.arrow_vectors = directions(&of_triangle, &drawn.transform);
+        let gradient = |corners: &[u32; 3]| gradients[corners[0] as usize];
+        self.arrow_vectors = drawn.transform.directions(section.triangles.iter().map(gradient));
         Ok(())
-    }
-}
-
-impl ShellArrays {
-    fn new(shells: &Shells, transform: &DrawTransform) -> Self {
-        Self {
-            positions: transform.places(shells.positions.iter().copied()),
-            normals: directions(&shells.normals, transform),
-            values: shells.values.iter().map(|&value| value as f32).collect(),
-            triangles: shells.triangles.as_flattened().to_vec(),
-        }
-    }
-}
-
-#[wasm_bindgen]
-impl InnerView {
-    /// `#N × 3`, the section, as it is drawn.
-    #[wasm_bindgen(getter)]
-    pub fn positions(&self) -> Float32Array {
-        self.positions.as_slice().into()
-    }
-
-    /// `#N × 3`, unit length.
-    #[wasm_bindgen(getter)]
-    pub fn normals(&self) -> Float32Array {
-        self.normals.as_slice().into()
-    }
-
-    /// `#N`, distances; Infinity where no source can be reached; empty without a field.
-    #[wasm_bindgen(getter)]
-    pub fn values(&self) -> Float32Array {
-        self.values.as_slice().into()
-    }
-
-    /// `#N × 4`: direction in which distance grows, 127 for a unit; the fourth number is 0.
-    #[wasm_bindgen(getter)]
-    pub fn tangents(&self) -> Int8Array {
-        self.tangents.as_slice().into()
-    }
-
-    /// `#T × 3`, indices of the section's vertices.
-    #[wasm_bindgen(getter)]
-    pub fn triangles(&self) -> Uint32Array {
-        self.triangles.as_slice().into()
-    }
-
-    /// `#T`, the tetrahedron of the input that each triangle is in.
-    #[wasm_bindgen(getter)]
-    pub fn tetrahedra(&self) -> Uint32Array {
-        self.tetrahedra.as_slice().into()
-    }
-
-    /// `#N × 4`, barycentric weights of each vertex in the tetrahedron of its triangles, by the corners that it has in the input.
-    #[wasm_bindgen(getter)]
-    pub fn weights(&self) -> Float32Array {
-        self.weights.as_slice().into()
-    }
-
-    /// Whether the section stands in for the boundary.
-    #[wasm_bindgen(getter, js_name = hidesSurface)]
-    pub fn hides_surface(&self) -> bool {
-        self.hides_surface
-    }
-
-    /// `#S × 3`, shells of equal distance, as they are drawn.
-    #[wasm_bindgen(getter, js_name = shellPositions)]
-    pub fn shell_positions(&self) -> Float32Array {
-        self.shells.positions.as_slice().into()
-    }
-
-    /// `#S × 3`, unit length, away from the sources.
-    #[wasm_bindgen(getter, js_name = shellNormals)]
-    pub fn shell_normals(&self) -> Float32Array {
-        self.shells.normals.as_slice().into()
-    }
-
-    /// `#S`, distances.
-    #[wasm_bindgen(getter, js_name = shellValues)]
-    pub fn shell_values(&self) -> Float32Array {
-        self.shells.values.as_slice().into()
-    }
-
-    /// Three indices of vertices of shells a triangle.
-    #[wasm_bindgen(getter, js_name = shellTriangles)]
-    pub fn shell_triangles(&self) -> Uint32Array {
-        self.shells.triangles.as_slice().into()
-    }
-
-    /// `#A × 3`, where arrows are drawn.
-    #[wasm_bindgen(getter, js_name = arrowPlaces)]
-    pub fn arrow_places(&self) -> Float32Array {
-        self.arrow_places.as_slice().into()
-    }
-
-    /// `#A × 3`, the gradient of distance there.
-    #[wasm_bindgen(getter, js_name = arrowVectors)]
-    pub fn arrow_vectors(&self) -> Float32Array {
-        self.arrow_vectors.as_slice().into()
     }
 }
 
@@ -258,15 +172,6 @@ fn cut_of(planes: &[f64], transform: &DrawTransform) -> Result<Cut> {
         ([one, other], []) => Ok(Cut::Wedge([plane(one), plane(other)])),
         _ => Err(Failure::misuse("a cut is made by no, one or two planes of four numbers each")),
     }
-}
-
-fn directions(vectors: &[DVec3], transform: &DrawTransform) -> Vec<f32> {
-    vectors.iter().flat_map(|&vector| transform.direction(vector).as_vec3().to_array()).collect()
-}
-
-fn numbers(object: &JsValue, key: &str) -> Vec<f64> {
-    let list = Reflect::get(object, &key.into()).map(|list| Array::from(&list)).unwrap_or_default();
-    list.iter().filter_map(|value| value.as_f64()).collect()
 }
 
 fn flag(object: &JsValue, key: &str) -> bool {

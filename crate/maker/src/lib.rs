@@ -7,12 +7,6 @@ use heatwalk_bindings::Result;
 use heatwalk_shapes as shapes;
 use wasm_bindgen::prelude::*;
 
-/// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
-#[wasm_bindgen(start)]
-pub fn start() {
-    std::panic::set_hook(Box::new(|panic| heatwalk_bindings::end(&panic.to_string())));
-}
-
 /// All of a shape, for the solver's module.
 #[wasm_bindgen]
 pub fn make(name: &str) -> Result<Vec<u8>> {

@@ -9,21 +9,6 @@ use heatwalk_bindings::{Result, resources};
 use js_sys::Function;
 use wasm_bindgen::prelude::*;
 
-/// The types of arguments that have no type in Rust.
-#[wasm_bindgen(typescript_custom_section)]
-const ARGUMENTS: &str = "
-import type { Up } from '../contract';
-
-/** The bytes of the file that a mesh refers to by this relative URI, percent-decoded; undefined where it was not given. */
-export type Resource = (uri: string) => Uint8Array | undefined;
-";
-
-/// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
-#[wasm_bindgen(start)]
-pub fn start() {
-    std::panic::set_hook(Box::new(|panic| heatwalk_bindings::end(&panic.to_string())));
-}
-
 /// What a file holds.
 #[wasm_bindgen]
 pub struct ReadMesh {

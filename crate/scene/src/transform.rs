@@ -46,6 +46,11 @@ impl DrawTransform {
         self.up.turned(direction)
     }
 
+    /// `#V × 3`, how directions are drawn.
+    pub fn directions(&self, directions: impl IntoIterator<Item = DVec3>) -> Vec<f32> {
+        directions.into_iter().flat_map(|direction| self.direction(direction).as_vec3().to_array()).collect()
+    }
+
     /// How long a length is drawn.
     pub fn length(&self, length: f64) -> f32 {
         (self.scale * length) as f32

@@ -1,14 +1,15 @@
 //! How far the precomputation is, and whether it shall go on.
 
-use std::fmt;
 use std::ops::ControlFlow;
 
+use crate::choice::choice;
 use crate::error::{Error, Result};
 
 /// A stage of the precomputation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Stage {
     /// Building the triangulation and the matrices.
+    #[default]
     Assembling,
     /// Choosing the elimination order.
     Ordering,
@@ -18,16 +19,12 @@ pub enum Stage {
     Factoring,
 }
 
-impl fmt::Display for Stage {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
-            Self::Assembling => "Assembling",
-            Self::Ordering => "Ordering",
-            Self::Analysing => "Analysing",
-            Self::Factoring => "Factoring",
-        })
-    }
-}
+choice!(Stage, "stage":
+    Assembling = "Assembling",
+    Ordering = "Ordering",
+    Analysing = "Analysing",
+    Factoring = "Factoring",
+);
 
 /// Called before each stage with the fraction done so far, 0 to 1. `Break` ends the work with [`Error::Cancelled`].
 pub type Progress<'a> = &'a mut dyn FnMut(Stage, f64) -> ControlFlow<()>;

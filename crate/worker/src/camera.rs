@@ -3,8 +3,8 @@
 use glam::DVec3;
 use heatwalk::surface::{Camera, Projection};
 use heatwalk_bake::Bounds;
+use heatwalk_bindings::Message;
 use heatwalk_scene::DrawTransform;
-use wasm_bindgen::prelude::*;
 
 /// Vertical field of view of the page's camera; radians.
 const FIELD_OF_VIEW: f64 = 0.6;
@@ -12,10 +12,12 @@ const FIELD_OF_VIEW: f64 = 0.6;
 const NEAREST: f64 = 0.2;
 
 /// A camera of the file.
-#[wasm_bindgen(inspectable)]
+#[derive(Message)]
 pub struct CameraView {
-    name: String,
-    view: [f64; 6],
+    /// Its name in the file, or a made one.
+    pub name: String,
+    /// Six numbers, as the camera of a scene has them.
+    pub view: Vec<f64>,
 }
 
 impl CameraView {
@@ -34,21 +36,6 @@ impl CameraView {
         };
         let away = half / (0.5 * FIELD_OF_VIEW).tan();
         let (yaw, pitch) = ((-forward.x).atan2(-forward.z), (-forward.y).clamp(-1.0, 1.0).asin());
-        Self { name: camera.name.clone(), view: [yaw, pitch, away / radius, x, y, z] }
-    }
-}
-
-#[wasm_bindgen]
-impl CameraView {
-    /// Its name in the file, or a made one.
-    #[wasm_bindgen(getter)]
-    pub fn name(&self) -> String {
-        self.name.clone()
-    }
-
-    /// Six numbers, as the camera of a scene has them.
-    #[wasm_bindgen(getter)]
-    pub fn view(&self) -> Vec<f64> {
-        self.view.to_vec()
+        Self { name: camera.name.clone(), view: vec![yaw, pitch, away / radius, x, y, z] }
     }
 }

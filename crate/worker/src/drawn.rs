@@ -4,9 +4,8 @@ use glam::DVec3;
 use heatwalk::{
     Appearance, FaceData, FaceId, InputVertex, Place, Soup, Source, Surface, SurfacePoint, VertexData, VertexId,
 };
-use heatwalk_bindings::{Failure, Result, number};
+use heatwalk_bindings::{Failure, Result, number, numbers};
 use heatwalk_scene::{DrawTransform, Posing, draw_mesh};
-use js_sys::{Array, Reflect};
 use wasm_bindgen::prelude::*;
 
 use crate::results::DrawMesh;
@@ -41,8 +40,7 @@ pub struct Drawn {
 }
 
 impl Drawn {
-    /// With the triangles themselves, which only the page needs.
-    /// With what moves them, for a soup that moves.
+    /// With the triangles themselves, which only the page needs, and with what moves them, for a soup that moves.
     pub fn new(
         surface: &Surface,
         appearance: &Appearance,
@@ -107,8 +105,7 @@ impl Drawn {
 
     /// Vectors of faces as vectors of drawn triangles, turned as they are drawn, three numbers each.
     pub fn spread_vectors(&self, vectors: &FaceData<DVec3>) -> Vec<f32> {
-        let drawn = |face| self.transform.direction(vectors[face]).as_vec3().to_array();
-        self.faces.iter().flat_map(|&face| drawn(face)).collect()
+        self.transform.directions(self.faces.iter().map(|&face| vectors[face]))
     }
 
     /// Reads `{ vertex }` (of the input) or `{ face, weights }`. The weights follow the corners of the drawn triangle,
@@ -119,8 +116,8 @@ impl Drawn {
         }
         let face =
             number(place, "face").ok_or_else(|| Failure::misuse("a place is a vertex or a face with three weights"))?;
-        let list = Reflect::get(place, &"weights".into()).map(|weights| Array::from(&weights)).unwrap_or_default();
-        let weights = [0, 1, 2].map(|corner| list.get(corner).as_f64().unwrap_or(f64::NAN));
+        let given = numbers(place, "weights");
+        let weights = [0, 1, 2].map(|corner| given.get(corner).copied().unwrap_or(f64::NAN));
         // A face that there is none of is for the surface to name.
         let face = self.faces.get(face as usize).copied().unwrap_or(FaceId(face as u32));
         Ok(surface.point(Place::Face { face, weights })?)

@@ -7,6 +7,7 @@
 
 mod appearance;
 mod camera;
+mod contents;
 mod drawn;
 mod field;
 mod ground;
@@ -21,7 +22,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use heatwalk::surface::soup::{Attribute, Part};
 use heatwalk::surface::{Camera, Light};
-use heatwalk::{Appearance, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up};
+use heatwalk::{Appearance, Choice, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up};
 use heatwalk_bindings::{Failure, Result};
 use heatwalk_scene::{DrawTransform, Posing, light_rows, upright};
 use heatwalk_shapes::icosphere;
@@ -30,26 +31,12 @@ use wasm_bindgen::prelude::*;
 
 use crate::appearance::{EncodedImage, Material};
 use crate::camera::CameraView;
+use crate::contents::{Contents, PartInfo, Warning, Weights};
 use crate::drawn::Drawn;
 use crate::motion::{Clip, Scenery};
 use crate::outline::Outline;
-use crate::results::{BuildReport, DrawMesh, Shade, Warning};
+use crate::results::{BuildReport, DrawMesh, Shade};
 use crate::solver::{Solver, go_on, reporter};
-
-/// The types of arguments that have no type in Rust: names and options are those of the generated contract.
-#[wasm_bindgen(typescript_custom_section)]
-const ARGUMENTS: &str = "
-import type { EdgeKind, FaceField, Parameters, PathKind, Up } from '../contract';
-
-/** Told before each stage: its name in words, and the fraction that is done, 0 to 1. */
-export type Progress = (stage: string, fraction: number) => void;
-";
-
-/// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
-#[wasm_bindgen(start)]
-pub fn start() {
-    std::panic::set_hook(Box::new(|panic| heatwalk_bindings::end(&panic.to_string())));
-}
 
 /// Bytes that a program on wasm32 can have.
 const ADDRESS_SPACE: u64 = 1 << 32;
@@ -131,27 +118,22 @@ impl MeshFile {
         triangles.as_flattened().into()
     }
 
-    /// The axis that points up, by the rules of the format or by the shape.
-    #[wasm_bindgen(unchecked_return_type = "Up")]
-    pub fn up(&self) -> String {
-        self.up.to_string()
-    }
-
-    /// Names of the parts.
-    pub fn part_names(&self) -> Vec<String> {
-        self.soup.parts.iter().map(|part| part.name.clone()).collect()
-    }
-
-    /// Triangles of each part.
-    pub fn part_triangles(&self) -> Vec<u32> {
-        self.soup.parts.iter().map(|part| part.len() as u32).collect()
-    }
-
-    /// Triangles of a part as ranges of the file's, ascending: of each its first one and the one behind its last.
-    pub fn part_ranges(&self, part: u32) -> Vec<u32> {
-        let part = self.soup.parts.get(part as usize);
-        let ranges = part.into_iter().flat_map(|part| &part.ranges);
-        ranges.flat_map(|range| [range.start as u32, range.end as u32]).collect()
+    /// What it holds.
+    pub fn contents(&self) -> Contents {
+        let part = |part: &Part| PartInfo {
+            name: part.name.clone(),
+            triangles: part.len(),
+            ranges: part.ranges.iter().flat_map(|range| [range.start as u32, range.end as u32]).collect(),
+        };
+        Contents {
+            parts: self.soup.parts.iter().map(part).collect(),
+            clips: self.soup.motion.clips().iter().map(Clip::new).collect(),
+            warnings: self.soup.warnings.iter().map(Warning::new).collect(),
+            missing: self.soup.appearance.missing.clone(),
+            unit: self.unit.unit.map_or("", Unit::symbol).to_owned(),
+            unit_assumed: self.unit.is_assumed,
+            upright: self.up.name(),
+        }
     }
 
     /// Whether it says how its triangles look.
@@ -167,31 +149,6 @@ impl MeshFile {
     /// The images that materials use.
     pub fn images(&self) -> Vec<EncodedImage> {
         self.soup.appearance.images.iter().map(EncodedImage::new).collect()
-    }
-
-    /// The animations that there are.
-    pub fn clips(&self) -> Vec<Clip> {
-        self.soup.motion.clips().iter().map(Clip::new).collect()
-    }
-
-    /// The symbol of its unit of length; empty where there is none.
-    pub fn unit(&self) -> String {
-        self.unit.unit.map_or("", Unit::symbol).to_owned()
-    }
-
-    /// Whether only its size suggests that unit.
-    pub fn is_unit_assumed(&self) -> bool {
-        self.unit.is_assumed
-    }
-
-    /// What was left out of it, or taken otherwise than it is written.
-    pub fn warnings(&self) -> Vec<Warning> {
-        self.soup.warnings.iter().map(Warning::new).collect()
-    }
-
-    /// What it refers to that was not given.
-    pub fn missing(&self) -> Vec<String> {
-        self.soup.appearance.missing.clone()
     }
 
     /// Refuses the parts `active` where there is no room for them and for so many windows of each half-edge, in all there is
@@ -275,10 +232,9 @@ pub struct ActiveSurface {
 
 #[wasm_bindgen]
 impl ActiveSurface {
-    /// Four numbers: what is drawn at the origin, and the drawn length of the file's unit.
-    pub fn draw_transform(&self) -> Vec<f64> {
-        let DrawTransform { center, scale, .. } = self.transform;
-        center.extend(scale).to_array().to_vec()
+    /// How it is drawn.
+    pub fn draw_transform(&self) -> heatwalk_bindings::DrawTransform {
+        self.transform.into()
     }
 
     /// Mean edge length.
@@ -286,20 +242,15 @@ impl ActiveSurface {
         self.surface.mean_edge()
     }
 
-    /// The name of the numbers of the file that say what its vertices cost; undefined where there are none.
-    pub fn weights_name(&self) -> Option<String> {
-        self.weights.as_ref().map(|weights| weights.name.clone())
-    }
-
-    /// One number a vertex of the input, NaN where the file has none; empty where there are none.
-    pub fn weights(&self) -> Vec<f32> {
-        let values = self.weights.iter().flat_map(|weights| &weights.values);
-        values.map(|&value| value as f32).collect()
+    /// What the file says that its vertices cost; none where it says nothing.
+    pub fn weights(&self) -> Option<Weights> {
+        let Attribute { name, values } = self.weights.as_ref()?;
+        Some(Weights { name: name.clone(), values: values.iter().map(|&value| value as f32).collect() })
     }
 
     /// What was done to make it.
     pub fn report(&self) -> BuildReport {
-        BuildReport::of(self.surface.report())
+        self.surface.report().into()
     }
 
     /// Makes its triangles ready to be drawn.

@@ -1,7 +1,7 @@
 //! What moves: the animations of a file, and scenery.
 
 use heatwalk::{Soup, Surface, surface::motion};
-use heatwalk_bindings::Result;
+use heatwalk_bindings::{Message, Result};
 use heatwalk_scene::{DrawTransform, Posing};
 use wasm_bindgen::prelude::*;
 
@@ -9,37 +9,19 @@ use crate::drawn::Drawn;
 use crate::results::{DrawMesh, DrawPose};
 
 /// An animation of the file.
-#[wasm_bindgen(inspectable)]
+#[derive(Message)]
 pub struct Clip {
-    name: String,
-    seconds: f64,
-    left_out: usize,
+    /// Its name in the file, or a made one.
+    pub name: String,
+    /// How long it lasts.
+    pub seconds: f64,
+    /// How many of its channels are not read.
+    pub left_out: usize,
 }
 
 impl Clip {
     pub(crate) fn new(clip: &motion::Clip) -> Self {
         Self { name: clip.name.clone(), seconds: clip.duration(), left_out: clip.left_out }
-    }
-}
-
-#[wasm_bindgen]
-impl Clip {
-    /// Its name in the file, or a made one.
-    #[wasm_bindgen(getter)]
-    pub fn name(&self) -> String {
-        self.name.clone()
-    }
-
-    /// How long it lasts.
-    #[wasm_bindgen(getter)]
-    pub fn seconds(&self) -> f64 {
-        self.seconds
-    }
-
-    /// How many of its channels are not read.
-    #[wasm_bindgen(getter, js_name = leftOut)]
-    pub fn left_out(&self) -> usize {
-        self.left_out
     }
 }
 
@@ -83,6 +65,6 @@ impl Scenery {
     pub fn pose(&mut self, clip: Option<u32>, seconds: f64) -> Result<Option<DrawPose>> {
         let Some(posing) = &mut self.posing else { return Ok(None) };
         posing.take(moment(clip, seconds))?;
-        Ok(Some(DrawPose::new(posing.draw(&self.transform))))
+        Ok(Some(posing.draw(&self.transform).into()))
     }
 }

@@ -15,18 +15,36 @@ use heatwalk::{
     DistanceOptions, DistanceSolver, EdgeKind, FaceField, HeatSolver, Method, Parameters, Path, PathSearch, Step,
     Surface, Windows,
 };
-use heatwalk_bindings::{Failure, Result, logarithms, parameters};
+use heatwalk_bindings::{DrawPath, Failure, Field, Message, Result, logarithms, parameters};
 use heatwalk_scene::{Crowd, Posing, overlay};
 use js_sys::{Array, Function, Object};
 use wasm_bindgen::prelude::*;
 
 use crate::drawn::Drawn;
-use crate::field::{Field, Origin, Solved};
+use crate::field::{Origin, Solved, field};
 use crate::ground::Ground;
-use crate::results::SurfacePath;
 
 /// The same walkers start at the same places whenever a mesh is opened.
 const CROWD_SEED: u64 = 1;
+
+/// What joins components.
+#[derive(Message)]
+pub struct Joined {
+    /// Groups of components that paths lead between; 0 where nothing was joined.
+    pub groups: usize,
+    /// Pairs of components that meet, without those that are linked.
+    pub contacts: usize,
+    /// Whether all contacts were looked at, or there are too many.
+    pub contacts_complete: bool,
+    /// Places where paths cross cracks within components.
+    pub crack_portals: usize,
+    /// The widest of these cracks, in the unit of the file.
+    pub crack_gap: f64,
+    /// Links between groups that would stay apart.
+    pub links: usize,
+    /// The widest gap that is linked, in the unit of the file; 0 without links.
+    pub linked_gap: f64,
+}
 
 /// A surface that answers, the distance field solved last, and the crowd that walks to the sources.
 #[wasm_bindgen]
@@ -96,7 +114,7 @@ impl Solver {
     /// The last field as the page gets it; the crowd follows it.
     fn field(&mut self) -> Result<Field> {
         self.lead_crowd()?;
-        Ok(Field::of(&self.drawn, self.solved()?, self.in_walls))
+        Ok(field(&self.drawn, self.solved()?, self.in_walls))
     }
 
     fn lead_crowd(&mut self) -> Result<()> {
@@ -156,39 +174,19 @@ impl Solver {
         Ok(())
     }
 
-    /// Groups of components that paths lead between; 0 before the first [`bridge`](Self::bridge).
-    pub fn groups(&self) -> u32 {
-        self.solver.joined().bridges().group_count() as u32
-    }
-
-    /// Pairs of components that meet, without those that are linked.
-    pub fn contacts(&self) -> u32 {
-        self.solver.joined().contact_count() as u32
-    }
-
-    /// Whether all contacts were looked at, or there are too many.
-    pub fn contacts_complete(&self) -> bool {
-        self.solver.joined().bridges().is_complete()
-    }
-
-    /// Portals across cracks within components.
-    pub fn crack_portals(&self) -> u32 {
-        self.solver.joined().bridges().across_cracks().count() as u32
-    }
-
-    /// The widest gap that these lead across, in the unit of the file.
-    pub fn crack_gap(&self) -> f64 {
-        self.solver.joined().bridges().crack_width()
-    }
-
-    /// Links between groups.
-    pub fn links(&self) -> u32 {
-        self.solver.joined().linked().len() as u32
-    }
-
-    /// The widest gap that is linked, in the file's unit; 0 without links.
-    pub fn linked_gap(&self) -> f64 {
-        self.solver.joined().linked().last().map_or(0.0, |link| link.gap)
+    /// What joins components.
+    pub fn joined(&self) -> Joined {
+        let joined = self.solver.joined();
+        let bridges = joined.bridges();
+        Joined {
+            groups: bridges.group_count(),
+            contacts: joined.contact_count(),
+            contacts_complete: bridges.is_complete(),
+            crack_portals: bridges.across_cracks().count(),
+            crack_gap: bridges.crack_width(),
+            links: joined.linked().len(),
+            linked_gap: joined.linked().last().map_or(0.0, |link| link.gap),
+        }
     }
 
     /// With how many links, at least, the sources of the last field reach more than they do; as many as there are where they
@@ -238,7 +236,7 @@ impl Solver {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] from: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "PathKind")] kind: &str,
-    ) -> Result<SurfacePath> {
+    ) -> Result<DrawPath> {
         let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
         let from = self.drawn.point(self.solver.surface(), from)?;
         let path = self.solver.path(solved.solution.answer(), from, kind.parse()?)?;
@@ -250,7 +248,7 @@ impl Solver {
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] from: &JsValue,
         work: u32,
-    ) -> Result<Option<SurfacePath>> {
+    ) -> Result<Option<DrawPath>> {
         let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
         let from = self.drawn.point(self.solver.surface(), from)?;
         let sources = &solved.solution.answer().sources;

@@ -1,28 +1,18 @@
 /** Isolines and files of distances, by a module that is loaded with the first of them. */
-import { transfer } from 'comlink';
-import type { CurveFile, DistanceFile, DrawTransform, Isolines, IsolineWish, MeshInput } from '../../protocol';
+import type { CurveFile, DistanceFile, Isolines, IsolineWish } from '../../protocol';
 import { fileName } from '../../files/paths';
 import type * as curves from '../../wasm/curves/heatwalk_curves';
 import curvesAddress from '../../wasm/curves/heatwalk_curves_bg.wasm?url';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
-import { onDemand } from './demand';
-import { filesOf, unpackedOf, withFiles } from './files';
-import { through } from './plain';
-
-/** How the mesh is drawn, and the file and its parts that it is; null where it was simplified or filled. */
-export interface ShownAs {
-  transform: DrawTransform;
-  from: { input: MeshInput; parts: Uint32Array } | null;
-}
+import { moduleOnDemand } from './demand';
+import { type Bytes, filesOf, unpackedOf, withFiles } from './files';
+import type { ShownAs } from './mesh';
+import { through } from './through';
 
 /** In place of the vertex that one of the input became, where no triangle uses it. */
 const NONE = 0xffffffff;
 
-const loaded = onDemand(async () => {
-  const module = await import('../../wasm/curves/heatwalk_curves.js');
-  await module.default({ module_or_path: curvesAddress });
-  return module;
-});
+const loaded = moduleOnDemand(() => import('../../wasm/curves/heatwalk_curves.js'), curvesAddress);
 
 /** The isolines that were traced last. */
 let traced: curves.Curves | undefined;
@@ -36,31 +26,22 @@ async function trace(solver: wasm.Solver, { values, spacing }: IsolineWish): Pro
   return traced;
 }
 
-export async function isolines(solver: wasm.Solver, wish: IsolineWish, shownAs?: ShownAs): Promise<Isolines> {
-  const { center, scale, up } = open(shownAs).transform;
+export async function isolines(solver: wasm.Solver, wish: IsolineWish, { transform }: ShownAs): Promise<Isolines> {
   const found = await trace(solver, wish);
-  const numbers = found.table();
-  const rows = Array.from({ length: numbers.length / 5 }, (_, row) => {
-    const [value = NaN, length = NaN, area = NaN, count = 0, closed = 0] = numbers.subarray(5 * row, 5 * row + 5);
-    return { value, length, area, curves: count, closed };
-  });
-  const ends = found.ends(Float64Array.from(center), scale, up);
-  return transfer({ rows, ends }, [ends.buffer]);
+  return { rows: found.rows(), ends: found.ends(transform) };
 }
 
 export async function curveFile(
   solver: wasm.Solver,
   wish: IsolineWish,
   { kind, towardEye }: CurveFile,
-  shownAs?: ShownAs,
+  { transform }: ShownAs,
 ): Promise<Bytes> {
-  const { up } = open(shownAs).transform;
   const found = await trace(solver, wish);
-  return sent(kind === 'svg' ? found.svg(Float64Array.from(towardEye), up) : found.file(kind));
+  return (kind === 'svg' ? found.svg(Float64Array.from(towardEye), transform.up) : found.file(kind)) as Bytes;
 }
 
-export async function distanceFile(solver: wasm.Solver, kind: DistanceFile, shownAs?: ShownAs): Promise<Bytes> {
-  const { from } = open(shownAs);
+export async function distanceFile(solver: wasm.Solver, kind: DistanceFile, { from }: ShownAs): Promise<Bytes> {
   const module = await loaded();
   const vertices = solver.vertices_of_inputs();
   const values = solver.distances();
@@ -71,11 +52,13 @@ export async function distanceFile(solver: wasm.Solver, kind: DistanceFile, show
     const { mesh } = input;
     const files = input.kind === 'files' ? filesOf(input.files) : await unpackedOf(input.archive);
     const bytes = files.read(mesh);
-    return withFiles(mesh, files, (resource) =>
-      sent(module.distance_file_of(kind, fileName(mesh), bytes, resource, from.parts, distances)),
+    return withFiles(
+      mesh,
+      files,
+      (resource) => module.distance_file_of(kind, fileName(mesh), bytes, resource, from.parts, distances) as Bytes,
     );
   }
-  return sent(module.distance_file(kind, ...ofInputs(solver, vertices), distances));
+  return module.distance_file(kind, ...ofInputs(solver, vertices), distances) as Bytes;
 }
 
 /** Positions of the vertices of the input, 0 of those that no triangle uses, and triangles. */
@@ -89,17 +72,4 @@ function ofInputs(solver: wasm.Solver, vertices: Uint32Array): [Float64Array, Ui
     inputOf[vertex] = input;
   });
   return [positions, through(solver.faces(), inputOf)];
-}
-
-type Bytes = Uint8Array<ArrayBuffer>;
-
-/** Bytes of the module, which has copied them for the page. */
-function sent(bytes: Uint8Array): Bytes {
-  const own = bytes as Bytes;
-  return transfer(own, [own.buffer]);
-}
-
-function open(shownAs: ShownAs | undefined): ShownAs {
-  if (!shownAs) throw new Error('No mesh is open.');
-  return shownAs;
 }

@@ -3,9 +3,17 @@ import { resolve } from '../../files/paths';
 import type { InputFile } from '../../protocol';
 import type { Resource } from '../../wasm/reader/heatwalk_reader';
 
+/** What only workers have; the page takes the types of its calls from here, too. */
+declare class FileReaderSync {
+  readAsArrayBuffer(content: Blob): ArrayBuffer;
+}
+
+/** Bytes that can be handed over. */
+export type Bytes = Uint8Array<ArrayBuffer>;
+
 export interface Files {
   paths: readonly string[];
-  read: (path: string) => Uint8Array<ArrayBuffer>;
+  read: (path: string) => Bytes;
 }
 
 export function filesOf(files: readonly InputFile[]): Files {

@@ -1,5 +1,4 @@
 /** Decodes the images of a file. */
-import type { Plain } from '../../protocol';
 import type { EncodedImage } from '../../wasm/solver/heatwalk_worker.js';
 import { decodeBasis, isBasis } from './basis';
 import { type Channel, normalsOfHeights, ofChannels } from './texels';
@@ -17,7 +16,7 @@ export interface DecodedImages {
   undecoded: string[];
 }
 
-export async function decodeImages(encoded: readonly Plain<EncodedImage>[]): Promise<DecodedImages> {
+export async function decodeImages(encoded: readonly EncodedImage[]): Promise<DecodedImages> {
   const decoded = await Promise.all(encoded.map(decodeImage));
   const undecoded = encoded.filter(({ bytes }, index) => bytes.length > 0 && decoded[index] === null);
   const made = encoded.map(({ channels }) => channelsOf(channels, decoded)).map((channels) => ofChannels(channels));
@@ -33,7 +32,7 @@ function channelsOf(pairs: Int32Array, images: readonly (ImageBitmap | null)[]):
   });
 }
 
-async function decodeImage({ mediaType, bytes, mayBeHeights }: Plain<EncodedImage>): Promise<ImageBitmap | null> {
+async function decodeImage({ mediaType, bytes, mayBeHeights }: EncodedImage): Promise<ImageBitmap | null> {
   if (bytes.length === 0) return null;
   try {
     const whole = isBasis(bytes)

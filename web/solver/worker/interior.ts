@@ -7,7 +7,6 @@ import type { Up } from '../../wasm/contract';
 import { fileName } from '../../files/paths';
 import { onDemand } from './demand';
 import { type Files, withFiles } from './files';
-import { plain } from './plain';
 
 /** Of the module, where it is loaded. */
 let memory: WebAssembly.Memory | undefined;
@@ -84,11 +83,11 @@ export function boundaryOf(
 }
 
 /** What the page gets of them. */
-export function interiorOf({ tetrahedra, madeMs }: Tetrahedra, { center, scale, up }: DrawTransform): Interior {
+export function interiorOf({ tetrahedra, madeMs }: Tetrahedra, drawn: DrawTransform): Interior {
   return {
-    positions: tetrahedra.places(Float64Array.from(center), scale, up),
+    positions: tetrahedra.places(drawn),
     tetrahedra: tetrahedra.corners(),
-    report: plain(tetrahedra.report()),
+    report: tetrahedra.report(),
     madeMs,
   };
 }
@@ -98,7 +97,7 @@ export function innerSolver(
   { tetrahedra }: Tetrahedra,
   vertices: Uint32Array,
   triangles: Uint32Array,
-  { center, scale, up }: DrawTransform,
+  drawn: DrawTransform,
 ): interior.InnerSolver {
-  return tetrahedra.solver(vertices, triangles, Float64Array.from(center), scale, up);
+  return tetrahedra.solver(vertices, triangles, drawn);
 }

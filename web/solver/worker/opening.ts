@@ -7,7 +7,6 @@ import { type Files, filesOf, unpackedOf } from './files';
 import { decodeImages } from './images';
 import { boundaryOf, filled, readFaces, readTetrahedra, shapeOfTetrahedra, type Tetrahedra } from './interior';
 import { makeShape } from './maker';
-import { plain } from './plain';
 import { readMesh } from './reader';
 import { simplify } from './simplify';
 
@@ -108,9 +107,9 @@ async function stuffed(
     progress({ stage: 'Filling', fraction: FILL_FROM + fraction * (FILLED_FROM - FILL_FROM), vertices: 0 });
   report(0);
   const tetrahedra = await filled(file, chosen, count, report);
-  const up = file.up();
+  const { upright } = file.contents();
   file.free();
-  return { ...tetrahedraIn(tetrahedra, name, simplified, up), unit };
+  return { ...tetrahedraIn(tetrahedra, name, simplified, upright), unit };
 }
 
 /** The chosen parts of a file; a simplified model of these as the only part where they have more triangles than are wanted. */
@@ -121,9 +120,9 @@ async function fewer(
   most: number | null,
   progress: ProgressListener,
 ): Promise<Opening> {
-  const sizes = file.part_triangles();
-  const chosen = Uint32Array.from(parts.length > 0 ? parts : sizes.keys());
-  if (most === null || chosen.reduce((sum, part) => sum + (sizes[part] ?? 0), 0) <= most) {
+  const all = file.contents().parts;
+  const chosen = Uint32Array.from(parts.length > 0 ? parts : all.keys());
+  if (most === null || chosen.reduce((sum, part) => sum + (all[part]?.triangles ?? 0), 0) <= most) {
     return { file, chosen, simplified: null, unit: unitOf(file), inner: null };
   }
   progress({ stage: 'Simplifying', fraction: SIMPLIFY_FROM, vertices: 0 });
@@ -136,14 +135,15 @@ async function fewer(
 const NO_UNIT: Opening['unit'] = { unit: '', unitAssumed: false };
 
 function unitOf(file: wasm.MeshFile): Opening['unit'] {
-  return { unit: file.unit(), unitAssumed: file.is_unit_assumed() };
+  const { unit, unitAssumed } = file.contents();
+  return { unit, unitAssumed };
 }
 
 /** What a file says of its looks; its images are decoded while the surface is built. */
 export async function lookOf(file: wasm.MeshFile): Promise<{ appearance: Appearance | null; undecoded: string[] }> {
   if (!file.has_appearance()) return { appearance: null, undecoded: [] };
-  const materials = file.materials().map(plain);
-  const { images, undecoded } = await decodeImages(file.images().map(plain));
+  const materials = file.materials();
+  const { images, undecoded } = await decodeImages(file.images());
   return { appearance: { materials, images }, undecoded };
 }
 

@@ -2,7 +2,7 @@
 import type { SimplifierFlags } from 'meshoptimizer/simplifier';
 import type { Simplified } from '../../protocol';
 import type { MeshFile } from '../../wasm/solver/heatwalk_worker.js';
-import { through } from './plain';
+import { through } from './through';
 
 /**
  * Over half the longest side of the box. Where edges would have to be collapsed over more, or larger components be taken away,

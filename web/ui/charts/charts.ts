@@ -57,11 +57,11 @@ export class Charts {
     const { answer, opened } = shown.value;
     this.#compare.hidden = !answer.field || answer.question.method !== 'heat' || opened.interior !== null;
     try {
-      const errors = engine && answer.field?.error ? await engine.errors() : null;
+      const errors = engine && answer.field?.error ? await engine.queries.errors() : null;
       const isSurface = engine && !opened.interior;
-      const walk = isSurface && answer.path ? await engine.pathProfile() : null;
+      const walk = isSurface && answer.path ? await engine.queries.pathProfile() : null;
       const tapes = this.#tapes();
-      const neighbors = isSurface && tapes.length > 0 ? await engine.neighbors() : null;
+      const neighbors = isSurface && tapes.length > 0 ? await engine.queries.neighbors() : null;
       if (wish !== this.#wish) return;
       const unit = unitOf(scene.state, opened);
       const lines = opened.interior ? [] : linesOf(shown.value, tapes, neighbors, unit);
@@ -88,7 +88,7 @@ export class Charts {
     if (!engine || !question) return;
     this.#compare.disabled = true;
     try {
-      this.#compared = { question, convergence: await engine.convergence() };
+      this.#compared = { question, convergence: await engine.inTurn.convergence() };
       this.update();
     } catch (error) {
       this.#session.fail(error);

@@ -12,7 +12,7 @@ export interface Cut {
   arcs: readonly number[];
 }
 
-/** A surface as it is drawn, and the triangles beside each: `SolverApi.neighbors`. */
+/** A surface as it is drawn, and the triangles beside each: `Queries.neighbors`. */
 export interface CutSurface {
   surface: Pick<OpenedMesh['surface'], 'triangles'>;
   neighbors: Uint32Array;

@@ -1,5 +1,5 @@
 /** The section of comparisons: with what, and the figures of both sides. */
-import type { PathKind, SurfacePath } from '../../protocol';
+import type { PathKind, DrawPath } from '../../protocol';
 import type { Comparison } from '../../session/comparison';
 import type { Session } from '../../session/session';
 import { type Compared, differing, MIDDLE, settingsOf, STUDIED, type Studied } from '../../state/compared';
@@ -178,7 +178,7 @@ function timeOf(ms: number): Words {
   return ms > 0 ? milliseconds(ms) : '–';
 }
 
-function pathWords(path: SurfacePath | null, kind: PathKind, unit: LengthUnit): Words {
+function pathWords(path: DrawPath | null, kind: PathKind, unit: LengthUnit): Words {
   if (!path) return '–';
   const words = measure(path.length, unit);
   return kind === 'exact' ? listed(words, t('exact')) : words;

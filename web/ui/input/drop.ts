@@ -1,5 +1,5 @@
 /** Files and folders from a drag or from a dialogue. */
-import { formats } from '../../files/paths';
+import { ACCEPTED, formats } from '../../files/paths';
 import type { InputFiles } from '../../session/opener';
 import { h } from '../dom';
 import { draggedAddress, filesOf, itemsOf } from './files';
@@ -51,9 +51,7 @@ export interface Dialogue {
 }
 
 export function fileDialogue(open: (input: InputFiles) => void): Dialogue & { choose: () => void } {
-  const accept =
-    '.glb,.gltf,.bin,.obj,.mtl,.off,.ply,.stl,.3mf,.vtk,.vtp,.vtu,.mesh,.meshb,.msh,.node,.ele,.csv,.png,.jpg,.jpeg,.webp,.zip';
-  return dialogue({ multiple: true, accept, 'aria-label': t('Open mesh files') }, open);
+  return dialogue({ multiple: true, accept: ACCEPTED, 'aria-label': t('Open mesh files') }, open);
 }
 
 export function folderDialogue(open: (input: InputFiles) => void): Dialogue {

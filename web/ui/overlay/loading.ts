@@ -1,10 +1,11 @@
+import type { OpeningStage } from '../../protocol';
 import type { Session } from '../../session/session';
 import { h, say } from '../dom';
 import { bytes, percent, verticesWords } from '../words';
 import { listed, t, type Words } from '../../texts';
 
 /** What is going on, by the names that workers tell. */
-const STAGES: Readonly<Record<string, Words>> = {
+const STAGES: Readonly<Record<OpeningStage, Words>> = {
   Fetching: t('fetching'),
   Reading: t('reading'),
   Simplifying: t('simplifying'),
@@ -39,7 +40,7 @@ export function loadingBar(session: Session): HTMLElement {
     if (fraction === null) bar.removeAttribute('value');
     else bar.value = fraction;
     const reached = listed(
-      STAGES[loading.stage] ?? loading.stage.toLowerCase(),
+      STAGES[loading.stage],
       vertices > 0 ? verticesWords(vertices) : null,
       fetched === undefined ? null : bytes(fetched),
       fraction === null ? null : percent(fraction),

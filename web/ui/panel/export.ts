@@ -118,7 +118,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   });
   show();
   const measure = async () => {
-    const isolines = await measured(session).isolines(wish());
+    const isolines = await measured(session).queries.isolines(wish());
     const { scene, shown } = session;
     const unit = shown.value ? unitOf(scene.state, shown.value.opened) : null;
     table.replaceChildren(tableOf(isolines, unit?.symbol ? unitWords(unit) : null));
@@ -126,7 +126,10 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   let kind: CurveFile['kind'] = 'obj';
   const file = select(t('File'), CURVES, (value) => (kind = value));
   const saveFile = async () => {
-    const bytes = await measured(session).curveFile(wish(), { kind, towardEye: towardEye(session.view.camera) });
+    const bytes = await measured(session).queries.curveFile(wish(), {
+      kind,
+      towardEye: towardEye(session.view.camera),
+    });
     save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.isolines.${kind}`);
   };
   session.shown.watch((shown, previous) => {
@@ -178,7 +181,7 @@ function distanceControls(session: Session, action: Action): HTMLElement[] {
   show();
   const work = async () => {
     const engine = asked(session);
-    const bytes = await (isInside() ? engine.innerDistanceFile(innerKind) : engine.distanceFile(kind));
+    const bytes = await (isInside() ? engine.queries.innerDistanceFile(innerKind) : engine.queries.distanceFile(kind));
     save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.distances.${isInside() ? innerKind : kind}`);
   };
   const title = t('One for each vertex of the file, in its unit');
@@ -201,7 +204,7 @@ function trackControls(session: Session, action: Action): HTMLElement[] {
   let kind: (typeof PATHS)[number][0] = 'csv';
   const file = select(t('Tracks'), PATHS, (value) => (kind = value));
   const work = async () => {
-    const tracks = trackPoints(await measured(session).crowdTracks());
+    const tracks = trackPoints(await measured(session).queries.crowdTracks());
     if (tracks.length === 0) throw new Failure(t('There is no crowd. Choose how many walk in the section Display.'));
     save(new Blob([tracksFile(kind, tracks)]), `${fileNameOf(session.shown.value)}.tracks.${kind}`);
   };

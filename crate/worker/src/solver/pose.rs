@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use heatwalk::{Distance, Path};
-use heatwalk_bindings::Result;
+use heatwalk_bindings::{DrawPath, Result};
 use wasm_bindgen::prelude::*;
 
 use super::Solver;
 use crate::motion::moment;
-use crate::results::{DrawPose, SurfacePath};
+use crate::results::{DrawPose, draw_path};
 
 impl Solver {
     /// The last field on the surface as it is shown.
@@ -17,16 +17,16 @@ impl Solver {
     }
 
     /// A path as it is shown, and from now on in every pose.
-    pub(super) fn shown_path(&mut self, path: Path) -> Result<SurfacePath> {
+    pub(super) fn shown_path(&mut self, path: Path) -> Result<DrawPath> {
         let shown = path.carried(self.solver.surface(), &self.shown)?;
         let drawn = self.drawn_path(&path, &shown);
         self.path = Some(path);
         Ok(drawn)
     }
 
-    fn drawn_path(&self, path: &Path, shown: &Path) -> SurfacePath {
+    fn drawn_path(&self, path: &Path, shown: &Path) -> DrawPath {
         let costs = self.ground.costs.as_ref();
-        SurfacePath::of(self.solver.surface(), path, shown, costs, &self.drawn.transform)
+        draw_path(self.solver.surface(), path, shown, costs, &self.drawn.transform)
     }
 }
 
@@ -38,7 +38,7 @@ impl Solver {
         let of_file = Arc::clone(self.solver.parted());
         let Some(posing) = &mut self.posing else { return Ok(None) };
         posing.take(moment(clip, seconds))?;
-        let posed = DrawPose::new(posing.draw(&self.drawn.transform));
+        let posed = posing.draw(&self.drawn.transform).into();
         self.shown = match clip {
             None => Arc::clone(&of_file),
             Some(_) => Arc::new(of_file.posed(posing.positions(&of_file))),
@@ -56,7 +56,7 @@ impl Solver {
     }
 
     /// The path that was traced last, as it is shown; none where distances are measured in another pose by now.
-    pub fn posed_path(&self) -> Option<SurfacePath> {
+    pub fn posed_path(&self) -> Option<DrawPath> {
         let path = self.path.as_ref()?;
         let shown = path.carried(self.solver.surface(), &self.shown).ok()?;
         Some(self.drawn_path(path, &shown))

@@ -6,6 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use super::{Solver, go_on};
 use crate::measuring::{Enclosure, Leg};
+use crate::results::straight;
 
 impl Solver {
     fn ends(&self, from: &JsValue, to: &JsValue) -> Result<[SurfacePoint; 2]> {
@@ -24,15 +25,11 @@ impl Solver {
         let weights =
             path.points.iter().zip(&faces).flat_map(|(point, &face)| point.location.weights_in(surface, face));
         let length = path.length();
-        let straight = match (path.points.first(), path.points.last()) {
-            (Some(first), Some(last)) => first.position.distance(last.position),
-            _ => 0.0,
-        };
         Leg {
             triangles: faces.iter().map(|&face| numbers[face]).collect(),
             weights: weights.collect(),
             length,
-            straight,
+            straight: straight(path),
             cost: self.ground.costs.as_ref().map_or(length, |costs| costs.of_path(surface, path)),
         }
     }
@@ -88,6 +85,6 @@ impl Solver {
             (triangles, weights) = (rest, others);
             paths.push(self.path_of(surface, these, shares)?);
         }
-        Ok(Enclosure::of(enclosed(surface, &paths)?))
+        Ok(enclosed(surface, &paths)?.into())
     }
 }

@@ -2,33 +2,18 @@
 
 use glam::DVec3;
 use heatwalk::{Error, Place, descend};
-use heatwalk_bindings::Result;
-use js_sys::{Float64Array, Uint32Array};
+use heatwalk_bindings::{Message, Result};
 use wasm_bindgen::prelude::*;
 
 use super::Solver;
 
 /// Curves, one after another.
-#[wasm_bindgen(inspectable)]
-#[derive(Default)]
+#[derive(Default, Message)]
 pub struct Tracks {
-    points: Vec<f64>,
-    counts: Vec<u32>,
-}
-
-#[wasm_bindgen]
-impl Tracks {
     /// `#points × 3`, of all curves, in the unit and the axes of the file.
-    #[wasm_bindgen(getter)]
-    pub fn points(&self) -> Float64Array {
-        self.points.as_slice().into()
-    }
-
+    pub points: Vec<f64>,
     /// `#curves`, how many points each has.
-    #[wasm_bindgen(getter)]
-    pub fn counts(&self) -> Uint32Array {
-        self.counts.as_slice().into()
-    }
+    pub counts: Vec<u32>,
 }
 
 #[wasm_bindgen]

@@ -1,12 +1,3 @@
-import type { Plain } from '../../protocol';
-
-/** What a wasm module gave, as a message; its memory is given back. */
-export function plain<T extends { toJSON(): object; free(): void }>(given: T): Plain<T> {
-  const message = given.toJSON() as Plain<T>;
-  given.free();
-  return message;
-}
-
 /** What a table has for each index. An index that it has nothing for is a defect. */
 export function through(indices: Uint32Array, table: Uint32Array): Uint32Array {
   return indices.map((index) => {
