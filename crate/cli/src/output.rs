@@ -57,6 +57,9 @@ pub enum CurveFormat {
     UnrolledDxf,
 }
 
+/// Of `--each`, in columns.
+const OF_EACH: &str = "the distances of --each";
+
 /// A file that can be written, and how.
 pub struct Output<F> {
     path: PathBuf,
@@ -66,14 +69,11 @@ pub struct Output<F> {
 impl Output<DistanceFormat> {
     /// `several`: columns of distances.
     pub fn distance(path: &Path, several: bool) -> Result<Self> {
-        let format = match extension(path).as_str() {
-            "csv" => DistanceFormat::Csv,
-            _ if several => bail!("{}: the distances of --each are written as .csv", path.display()),
-            "ply" => DistanceFormat::Ply,
-            "glb" => DistanceFormat::Glb,
-            _ => bail!("{}: distances are written as .csv, .ply or .glb", path.display()),
-        };
-        Self::new(path, format)
+        if several {
+            return Self::by_extension(path, OF_EACH, &[("csv", DistanceFormat::Csv)]);
+        }
+        let formats = [("csv", DistanceFormat::Csv), ("ply", DistanceFormat::Ply), ("glb", DistanceFormat::Glb)];
+        Self::by_extension(path, "distances", &formats)
     }
 
     /// `columns`: named distances, one value an input vertex; a single column unless it was made for several.
@@ -97,14 +97,11 @@ impl Output<DistanceFormat> {
 impl Output<VolumeFormat> {
     /// As [`Output::distance`].
     pub fn volume(path: &Path, several: bool) -> Result<Self> {
-        let format = match extension(path).as_str() {
-            "csv" => VolumeFormat::Csv,
-            _ if several => bail!("{}: the distances of --each are written as .csv", path.display()),
-            "vtu" => VolumeFormat::Vtu,
-            "msh" => VolumeFormat::Msh,
-            _ => bail!("{}: distances inside of tetrahedra are written as .csv, .vtu or .msh", path.display()),
-        };
-        Self::new(path, format)
+        if several {
+            return Self::by_extension(path, OF_EACH, &[("csv", VolumeFormat::Csv)]);
+        }
+        let formats = [("csv", VolumeFormat::Csv), ("vtu", VolumeFormat::Vtu), ("msh", VolumeFormat::Msh)];
+        Self::by_extension(path, "distances inside of tetrahedra", &formats)
     }
 
     /// As [`Output::write`].
@@ -120,12 +117,7 @@ impl Output<VolumeFormat> {
 
 impl Output<PathFormat> {
     pub fn path(path: &Path) -> Result<Self> {
-        let format = match extension(path).as_str() {
-            "obj" => PathFormat::Obj,
-            "csv" => PathFormat::Csv,
-            _ => bail!("{}: paths are written as .obj or .csv", path.display()),
-        };
-        Self::new(path, format)
+        Self::by_extension(path, "paths", &[("obj", PathFormat::Obj), ("csv", PathFormat::Csv)])
     }
 
     /// The polyline through these points.
@@ -148,31 +140,27 @@ impl Output<PathFormat> {
 impl Output<CurveFormat> {
     /// Of isolines, of the `strips` between them, or of those `unrolled`.
     pub fn curves(path: &Path, strips: bool, unrolled: bool) -> Result<Self> {
-        let format = match (extension(path).as_str(), strips, unrolled) {
-            ("obj", true, _) => CurveFormat::StripsObj,
-            (_, true, _) => bail!("{}: strips are written as .obj", path.display()),
-            ("svg", _, true) => CurveFormat::UnrolledSvg,
-            ("dxf", _, true) => CurveFormat::UnrolledDxf,
-            (_, _, true) => bail!("{}: unrolled strips are written as .svg or .dxf", path.display()),
-            ("obj", ..) => CurveFormat::Obj,
-            ("dxf", ..) => CurveFormat::Dxf,
-            ("svg", ..) => CurveFormat::Svg,
-            ("csv", ..) => CurveFormat::Csv,
-            ("glb", ..) => CurveFormat::Glb,
-            _ => bail!("{}: isolines are written as .obj, .dxf, .svg, .csv or .glb", path.display()),
+        let (what, formats): (_, &[_]) = match (strips, unrolled) {
+            (true, _) => ("strips", &[("obj", CurveFormat::StripsObj)]),
+            (_, true) => ("unrolled strips", &[("svg", CurveFormat::UnrolledSvg), ("dxf", CurveFormat::UnrolledDxf)]),
+            _ => (
+                "isolines",
+                &[
+                    ("obj", CurveFormat::Obj),
+                    ("dxf", CurveFormat::Dxf),
+                    ("svg", CurveFormat::Svg),
+                    ("csv", CurveFormat::Csv),
+                    ("glb", CurveFormat::Glb),
+                ],
+            ),
         };
-        Self::new(path, format)
+        Self::by_extension(path, what, formats)
     }
 }
 
 impl Output<FillFormat> {
     pub fn fill(path: &Path) -> Result<Self> {
-        let format = match extension(path).as_str() {
-            "msh" => FillFormat::Msh,
-            "vtu" => FillFormat::Vtu,
-            _ => bail!("{}: tetrahedra are written as .msh or .vtu", path.display()),
-        };
-        Self::new(path, format)
+        Self::by_extension(path, "tetrahedra", &[("msh", FillFormat::Msh), ("vtu", FillFormat::Vtu)])
     }
 
     pub fn write_filled(&self, soup: &TetSoup) -> Result<()> {
@@ -183,8 +171,16 @@ impl Output<FillFormat> {
     }
 }
 
-impl<F> Output<F> {
-    fn new(path: &Path, format: F) -> Result<Self> {
+impl<F: Copy> Output<F> {
+    /// In the format, of these, that the extension of the file names.
+    fn by_extension(path: &Path, what: &str, formats: &[(&str, F)]) -> Result<Self> {
+        let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+        let Some(&(_, format)) = formats.iter().find(|&&(known, _)| known == extension) else {
+            let mut known = formats.iter().map(|(known, _)| format!(".{known}")).collect::<Vec<_>>();
+            let last = known.pop().unwrap_or_default();
+            let others = if known.is_empty() { String::new() } else { format!("{} or ", known.join(", ")) };
+            bail!("{}: {what} are written as {others}{last}", path.display());
+        };
         check(path).with_context(|| format!("cannot write {}", path.display()))?;
         Ok(Self { path: path.to_owned(), format })
     }
@@ -237,10 +233,6 @@ fn beside(path: &Path) -> io::Result<NamedTempFile> {
     #[cfg(unix)]
     builder.permissions(fs::Permissions::from_mode(0o666));
     builder.tempfile_in(folder)
-}
-
-fn extension(path: &Path) -> String {
-    path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }
 
 fn distance_csv(columns: &[(String, Vec<f64>)]) -> Vec<u8> {

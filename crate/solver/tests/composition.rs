@@ -52,29 +52,30 @@ fn assert_near(surface: &Surface, values: &[f64], exact: impl Fn(DVec3) -> f64, 
     }
 }
 
+/// In a square where this is the length of straight lines, from the vertex nearest to a place.
+fn assert_distance_follows(length: impl Fn(DVec3, DVec3) -> f64, place: DVec3) {
+    let surface = surface(&square(48));
+    let source = nearest(&surface, place);
+    let from = surface.position(source);
+    let values = distance_in(metric(&surface, &length), source);
+    assert_near(&surface, &values, |position| length(from, position), 0.04);
+}
+
 #[test]
 fn a_conformal_metric_gives_hyperbolic_distance() {
     // The half-plane y > 0 with lengths divided by y. The square lies above y = 1.
-    let surface = surface(&square(48));
     let up = |p: DVec3| DVec2::new(p.x, p.y + 1.0);
     let hyperbolic = |p: DVec3, q: DVec3| {
         let (p, q) = (up(p), up(q));
         (1.0 + p.distance_squared(q) / (2.0 * p.y * q.y)).acosh()
     };
-    let source = nearest(&surface, DVec3::new(0.5, 0.3, 0.0));
-    let from = surface.position(source);
-    let values = distance_in(metric(&surface, hyperbolic), source);
-    assert_near(&surface, &values, |position| hyperbolic(from, position), 0.04);
+    assert_distance_follows(hyperbolic, DVec3::new(0.5, 0.3, 0.0));
 }
 
 #[test]
 fn an_anisotropic_metric_gives_stretched_distance() {
-    let surface = surface(&square(48));
     let stretched = |p: DVec3, q: DVec3| DVec2::new(2.0 * (q.x - p.x), q.y - p.y).length();
-    let source = nearest(&surface, DVec3::new(0.4, 0.5, 0.0));
-    let from = surface.position(source);
-    let values = distance_in(metric(&surface, stretched), source);
-    assert_near(&surface, &values, |position| stretched(from, position), 0.04);
+    assert_distance_follows(stretched, DVec3::new(0.4, 0.5, 0.0));
 }
 
 #[test]

@@ -30,7 +30,7 @@ fn flat(surface: &Surface, vertex: VertexId) -> DVec2 {
 
 /// Mean and largest error on a plane of two media, the largest beyond ten edges from the source.
 fn errors(edges: u32, cost: f64, method: Method) -> (f64, f64) {
-    let square = Arc::new(surface(&jittered_square(edges, 1)));
+    let square = Arc::new(surface(&jittered_square(edges, 5)));
     let source = nearest(&square, DVec3::new(0.2, 0.5, 0.0));
     let found = distances(&square, &two_media(&square, cost), (source, 0.0), &DistanceOptions::by(method));
     let from = flat(&square, source);

@@ -66,7 +66,7 @@ impl Sheet {
 
 /// Sheets of slivers, flat and rolled up.
 fn sheets() -> Vec<Sheet> {
-    let mut random = Random::new(5);
+    let mut random = Random::new(7);
     let mut sheets = Vec::new();
     for decades in [2.0, 5.0, 8.0] {
         for bend in [0.0, 0.1] {
