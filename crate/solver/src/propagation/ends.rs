@@ -1,7 +1,9 @@
 //! The ends of portals, which a front leaves a component by and enters another by.
 
-use super::grow::NOWHERE;
 use crate::exact::{Portals, Wavefront};
+
+/// Number of the source of what has not been reached.
+pub(super) const NOWHERE: u32 = u32::MAX;
 
 /// What is known of the ends of all portals.
 #[derive(Debug, Default)]

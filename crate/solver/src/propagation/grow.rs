@@ -3,16 +3,13 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::ends::Ends;
+use super::ends::{Ends, NOWHERE};
 use super::queue::Queue;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::extremum::smaller;
 use crate::room::{REFUSED, refilled};
 use heatwalk_surface::{FaceId, Source, Surface, VertexData, VertexId};
-
-/// Number of the source of a vertex that has not been reached.
-pub(super) const NOWHERE: u32 = u32::MAX;
 
 /// Items of a queue that are processed together.
 pub(super) const BATCH: usize = 32;

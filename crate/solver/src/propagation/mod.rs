@@ -29,8 +29,9 @@ pub use options::{ALL, Carriers, ExactSearch, PropagationOptions, REFRACTED, Win
 use crate::distance::{Distance, PortalCrossing};
 use crate::error::{Error, Result};
 use crate::exact::{ExactGeometry, Wavefront, checked_sources};
+use ends::NOWHERE;
 use front::Front;
-use grow::{Grow, NOWHERE};
+use grow::Grow;
 use heatwalk_sparse::{Progress, Stage, report};
 use heatwalk_surface::{Surface, ToSource, VertexData, VertexId};
 use labels::Fixed;
