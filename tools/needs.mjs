@@ -7,6 +7,7 @@ import { attempt, cargo, fail, output, root, run } from './steps.mjs';
 const OLDEST_NODE = 20;
 const OLDEST_RUST = [1, 95];
 const TYPOS = '1.52.0';
+const DENY = '0.20.2';
 const WASM = 'wasm32-unknown-unknown';
 const DEBIAN_LINKER = '/usr/bin/rust-lld';
 
@@ -93,15 +94,28 @@ export function requireWasm() {
 
 /** The path of the spell-checker: pip brings the program itself, cargo compiles it. */
 export function requireTypos() {
-  const folder = join(root, 'target', 'typos');
-  const program = join(folder, 'bin', 'typos');
-  const found = () => output(program, ['--version'])?.endsWith(TYPOS);
+  const pip = (folder) => ['-m', 'pip', 'install', '--quiet', '--upgrade', '--target', folder, `typos==${TYPOS}`];
+  return requireTool('typos', 'typos-cli', TYPOS, (folder) => {
+    console.log('\n— Installing the spell-checker typos');
+    output('python3', pip(folder));
+  });
+}
+
+/** The path of the program that knows licenses and advisories of crates. */
+export function requireDeny() {
+  return requireTool('cargo-deny', 'cargo-deny', DENY);
+}
+
+/** The path of a program of this version in `target`; cargo compiles it where there is none, and none is brought. */
+function requireTool(name, crate, version, bring = () => {}) {
+  const folder = join(root, 'target', name);
+  const program = join(folder, 'bin', name);
+  const found = () => output(program, ['--version'])?.endsWith(version);
   if (found()) return program;
-  const pip = ['-m', 'pip', 'install', '--quiet', '--upgrade', '--target', folder, `typos==${TYPOS}`];
-  console.log('\n— Installing the spell-checker typos');
-  if (output('python3', pip) !== undefined && found()) return program;
-  const compile = ['install', 'typos-cli', '--version', TYPOS, '--root', folder, '--force'];
-  cargo('Compiling the spell-checker typos (minutes, once)', compile, 'Is the crate registry reachable?');
+  bring(folder);
+  if (found()) return program;
+  const compile = ['install', crate, '--version', version, '--locked', '--root', folder, '--force'];
+  cargo(`Compiling ${name} (minutes, once)`, compile, 'Is the crate registry reachable?');
   return program;
 }
 
