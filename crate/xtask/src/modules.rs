@@ -23,6 +23,8 @@ pub struct Module {
     pub flags: &'static [&'static str],
     /// The target folder of the published module: one for packages that are compiled alike.
     folder: &'static str,
+    /// The same of the module to develop with.
+    quick_folder: &'static str,
     /// The profile of Cargo.toml that it is published with.
     profile: &'static str,
     /// Whether the page can begin again with a fresh instance. A worker ends with its instance instead.
@@ -37,6 +39,7 @@ pub const SOLVER: Module = Module {
     file: "heatwalk_worker",
     flags: &["-Ctarget-feature=+simd128"],
     folder: "wasm-solver",
+    quick_folder: QUICK_FOLDER,
     profile: "worker",
     is_restartable: false,
 };
@@ -49,6 +52,8 @@ pub const VIEWER_WEBGPU: Module = Module {
     file: "heatwalk_viewer_webgpu",
     flags: &[],
     folder: "wasm-viewer-webgpu",
+    // Cargo keeps one module of a package in a folder, and would compile both viewers anew each time.
+    quick_folder: "wasm-viewer-webgpu",
     profile: "viewer",
     is_restartable: true,
 };
@@ -59,6 +64,7 @@ pub const VIEWER_WEBGL2: Module = Module {
     features: &["webgl2"],
     file: "heatwalk_viewer_webgl2",
     folder: "wasm-viewer-webgl2",
+    quick_folder: QUICK_FOLDER,
     ..VIEWER_WEBGPU
 };
 
@@ -80,6 +86,7 @@ pub const INTERIOR: Module = Module {
     file: "heatwalk_interior",
     flags: SOLVER.flags,
     folder: SOLVER.folder,
+    quick_folder: SOLVER.quick_folder,
     profile: SOLVER.profile,
     is_restartable: false,
 };
@@ -149,9 +156,10 @@ fn publish(modules: &[&Module], toolchain: &Toolchain) -> Result<()> {
 /// Builds all modules in less time, and larger: what they share is compiled once, and nothing is linked as a whole.
 pub fn build_all_quickly(toolchain: &Toolchain) -> Result<()> {
     for modules in quick_groups() {
-        for_group(cargo(toolchain, "build", QUICK_FOLDER, SOLVER.flags), &modules, QUICK, &[])?;
+        let Some(Module { quick_folder, .. }) = modules.first() else { continue };
+        for_group(cargo(toolchain, "build", quick_folder, SOLVER.flags), &modules, QUICK, &[])?;
         for module in modules {
-            bind(module, &module.compiled(QUICK_FOLDER, QUICK))?;
+            bind(module, &module.compiled(module.quick_folder, QUICK))?;
         }
     }
     Ok(())
