@@ -26,15 +26,15 @@ const fetched = (paths: Set<string>) => [...paths].flatMap((path) => RENDERER.ex
 
 const backend = ({ page }: HeatwalkPage) => page.evaluate(() => window.heatwalk.backend);
 
-/** Opens the page, with nothing in the address that chooses; the files until its first picture. */
-async function firstPicture(page: Page): Promise<string[]> {
+/** Opens the page, with nothing in the address that chooses; the files until its first picture, each once. */
+async function firstPicture(page: Page): Promise<Set<string>> {
   await page.goto('./');
   // By the page's own clock: what comes after the first picture is on its way a moment later.
   const addresses = await page.evaluate(async () => {
     await window.heatwalk.ready;
     return performance.getEntriesByType('resource').map(({ name }) => name);
   });
-  return addresses.filter((address) => address.startsWith('http:')).map((address) => basename(address));
+  return new Set(addresses.filter((address) => address.startsWith('http:')).map((address) => basename(address)));
 }
 
 test('of the renderers only the one is fetched that the browser can use', async ({ heatwalk, page }) => {
@@ -47,7 +47,7 @@ test('of the renderers only the one is fetched that the browser can use', async 
 // Of the page as it is published, which the slow tests are about.
 test('the first picture takes few bytes', { tag: '@slow' }, async ({ page }) => {
   const files = await firstPicture(page);
-  const bytes = ['index.html', ...files.map((name) => join('assets', name))].map((file) => {
+  const bytes = ['index.html', ...[...files].map((name) => join('assets', name))].map((file) => {
     const content = readFileSync(join(PAGE, file));
     return brotliCompressSync(content, { params: { [constants.BROTLI_PARAM_QUALITY]: 11 } }).length;
   });
