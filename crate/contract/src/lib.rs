@@ -20,8 +20,8 @@ pub use self::typescript::{camel, documented};
 const SOURCES: [&str; 3] =
     ["crate/solver/src/options.rs", "crate/sparse/src/progress.rs", "crate/bindings/src/failure.rs"];
 
-/// Enums whose variants the page is told by their names.
-const TOLD: [&str; 1] = ["Stage"];
+/// Enums that are the names of their variants to the page.
+const ENUMS: [&str; 1] = ["Stage"];
 
 /// Where the page finds it.
 const MODULE: &str = "web/wasm/contract.ts";
@@ -46,7 +46,7 @@ fn module(workspace: &Path) -> Result<String> {
         let text = fs::read_to_string(workspace.join(source)).with_context(|| format!("{source} cannot be read"))?;
         definitions.read(&text).with_context(|| format!("{source} is not understood"))?;
     }
-    typescript::module(&definitions, &SOURCES, &TOLD)
+    typescript::module(&definitions, &SOURCES, &ENUMS)
 }
 
 #[cfg(test)]

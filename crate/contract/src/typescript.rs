@@ -9,8 +9,8 @@ use crate::read::{Choice, Definitions, Field, FieldKind, Options};
 /// A module that exports all of it.
 ///
 /// # Errors
-/// Where the options name a choice, or `told` an enum, that is not defined.
-pub fn module(definitions: &Definitions, sources: &[&str], told: &[&str]) -> Result<String> {
+/// Where the options name a choice, or `enums` an enum, that is not defined.
+pub fn module(definitions: &Definitions, sources: &[&str], enums: &[&str]) -> Result<String> {
     let mut text = format!("// Made by `cargo xtask wasm` from {}.\n", sources.join(", "));
     text += "
 /** Names to choose from, in the order in which they are offered. */
@@ -35,7 +35,7 @@ export interface Choice<Name extends string> {
     for choice in &definitions.choices {
         text += &choice_of(choice);
     }
-    for name in told {
+    for name in enums {
         let (doc, names) = definitions.variants(name)?;
         let names: Vec<String> = names.iter().map(|name| quoted(name)).collect();
         text += &documented(doc, "");

@@ -108,8 +108,9 @@ const APART: [&Module; 1] = [&INTERIOR];
 /// The two are one package with different features.
 const VIEWERS: [&[&Module]; 2] = [&[&VIEWER_WEBGL2], &[&VIEWER_WEBGPU]];
 
-/// The profile and the target folder of all that is not published: modules to develop and test with, tests, and lints.
+/// The profile of all that is not published: modules to develop and test with, tests, and lints.
 pub const QUICK: &str = "quick";
+/// The target folder of these but for one of the viewers, see [`Module::quick_folder`].
 pub const QUICK_FOLDER: &str = "wasm-quick";
 
 impl Module {
