@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::bounds::Bounds;
+use crate::bounding_sphere::BoundingSphere;
 use crate::scatter::scatter;
 
 /// Cells along a side of the floor.
@@ -27,7 +27,7 @@ pub struct Floor {
 impl Floor {
     /// Under a scene.
     #[must_use]
-    pub fn new(scene: Bounds) -> Self {
+    pub fn new(scene: BoundingSphere) -> Self {
         Self { center: scene.center.with_y(scene.lowest), reach: REACH * scene.radius }
     }
 }
@@ -40,7 +40,7 @@ pub(crate) struct Contact {
 }
 
 impl Contact {
-    pub(crate) fn new(floor: Floor, scene: Bounds) -> Self {
+    pub(crate) fn new(floor: Floor, scene: BoundingSphere) -> Self {
         Self { floor, height: HEIGHT * scene.radius, cells: vec![0.0; CONTACT_SIZE * CONTACT_SIZE] }
     }
 
@@ -91,7 +91,7 @@ mod tests {
 
     #[test]
     fn what_stands_on_the_floor_darkens_it_and_what_floats_high_does_not() {
-        let scene = Bounds { center: Vec3::ZERO, radius: 1.0, lowest: -1.0, side: 2.0 };
+        let scene = BoundingSphere { center: Vec3::ZERO, radius: 1.0, lowest: -1.0, side: 2.0 };
         let floor = Floor::new(scene);
         let square =
             |height: f32| [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]].map(|[x, z]| Vec3::new(x, height, z));

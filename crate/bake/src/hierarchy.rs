@@ -1,8 +1,8 @@
-//! A bounding volume hierarchy that is quickly made and handed over as two flat arrays: triangles along a Morton curve, in
-//! leaves of a few, under a complete binary tree (Lauterbach and others, "Fast BVH construction on GPUs", 2009).
+//! A bounding volume hierarchy that is quickly made and handed over as two flat arrays.
 
 use glam::Vec3;
-use heatwalk_surface::{along_curve, parallel};
+use heatwalk_surface::index::{Tree, along_curve};
+use heatwalk_surface::parallel;
 
 use crate::ray::{Hit, Ray, entry};
 
@@ -22,7 +22,7 @@ pub type Corners = [Vec3; 2];
 pub struct Hierarchy {
     /// `#F`, leaf after leaf.
     order: Vec<u32>,
-    /// Of the root, then of the children of box `i` at `2 i + 1` and `2 i + 2`; those of the leaves come last.
+    /// Of the nodes of the [tree](Tree) over it.
     boxes: Vec<Corners>,
 }
 
@@ -33,8 +33,7 @@ impl Hierarchy {
         let corners = |triangle: u32| triangles[triangle as usize].map(|vertex| positions[vertex as usize]);
         let middle = |triangle: usize| corners(triangle as u32).iter().sum::<Vec3>().as_dvec3();
         let order = along_curve(triangles.len(), middle, parallel::ONE);
-        let boxes = vec![EMPTY; box_count(order.len())];
-        let mut hierarchy = Self { order, boxes };
+        let mut hierarchy = Self { order, boxes: Vec::new() };
         hierarchy.fit(positions, triangles);
         hierarchy
     }
@@ -42,25 +41,20 @@ impl Hierarchy {
     /// Fits the boxes to its triangles in other positions. The less these are neighbours there that were before, the longer
     /// questions take.
     pub(crate) fn fit(&mut self, positions: &[Vec3], triangles: &[[u32; 3]]) {
-        let inner = self.boxes.len() / 2;
-        for (leaf, numbers) in self.boxes[inner..].iter_mut().zip(self.order.chunks(LEAF)) {
-            *leaf = EMPTY;
-            for &number in numbers {
-                let [a, b, c] = triangles[number as usize].map(|vertex| positions[vertex as usize]);
-                let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-                let margin = MARGIN * low.abs().max(high.abs()).max_element();
-                *leaf = around(*leaf, [low - margin, high + margin]);
-            }
-        }
-        for node in (0..inner).rev() {
-            self.boxes[node] = around(self.boxes[2 * node + 1], self.boxes[2 * node + 2]);
-        }
+        let of_triangle = |&number: &u32| {
+            let [a, b, c] = triangles[number as usize].map(|vertex| positions[vertex as usize]);
+            let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+            let margin = MARGIN * low.abs().max(high.abs()).max_element();
+            [low - margin, high + margin]
+        };
+        let of_leaf = |leaf: &[u32]| leaf.iter().map(of_triangle).fold(EMPTY, around);
+        self.boxes = tree(self.order.len()).values(|leaf| of_leaf(&self.order[leaf]), around);
     }
 
     /// Of the arrays of another one, where they are those of so many triangles.
     #[must_use]
     pub fn from_arrays(order: Vec<u32>, boxes: Vec<Corners>, triangles: usize) -> Option<Self> {
-        let fits = order.len() == triangles && boxes.len() == box_count(triangles);
+        let fits = order.len() == triangles && boxes.len() == tree(triangles).len();
         let is_in_range = |&number: &u32| (number as usize) < triangles;
         (fits && order.iter().all(is_in_range)).then_some(Self { order, boxes })
     }
@@ -79,42 +73,24 @@ impl Hierarchy {
 
     /// The nearest hit along a ray; `meet` tells that of a triangle.
     pub(crate) fn nearest(&self, ray: Ray, meet: impl Fn(u32) -> Option<Hit>) -> Option<Hit> {
-        let inner = self.boxes.len() / 2;
         let inverse = ray.direction.recip();
+        let enters = |node: usize| entry(self.boxes[node], ray.origin, inverse);
         let mut nearest: Option<Hit> = None;
-        let mut waiting = vec![(0, self.entry(0, ray.origin, inverse))];
-        while let Some((node, entry)) = waiting.pop() {
-            if entry.is_infinite() || nearest.is_some_and(|hit| hit.depth <= entry) {
-                continue;
-            }
-            if node >= inner {
-                let first = LEAF * (node - inner);
-                let leaf = &self.order[first..self.order.len().min(first + LEAF)];
-                for hit in leaf.iter().filter_map(|&triangle| meet(triangle)) {
-                    if nearest.is_none_or(|before| hit.depth < before.depth) {
-                        nearest = Some(hit);
-                    }
+        tree(self.order.len()).nearest(f32::INFINITY, enters, |leaf, mut depth| {
+            for hit in self.order[leaf].iter().filter_map(|&triangle| meet(triangle)) {
+                if hit.depth < depth {
+                    (nearest, depth) = (Some(hit), hit.depth);
                 }
-            } else {
-                let mut children =
-                    [2 * node + 1, 2 * node + 2].map(|node| (node, self.entry(node, ray.origin, inverse)));
-                // What is entered first is looked at first, so last in.
-                children.sort_unstable_by(|a, b| b.1.total_cmp(&a.1));
-                waiting.extend(children);
             }
-        }
+            depth
+        });
         nearest
-    }
-
-    /// How far along a ray its box begins; 0 from inside, infinite where the ray misses it. `inverse`: of its direction.
-    fn entry(&self, node: usize, origin: Vec3, inverse: Vec3) -> f32 {
-        self.boxes.get(node).map_or(f32::INFINITY, |&corners| entry(corners, origin, inverse))
     }
 }
 
-/// A complete binary tree over so many triangles.
-fn box_count(triangles: usize) -> usize {
-    (2 * triangles.div_ceil(LEAF)).saturating_sub(1)
+/// Of so many triangles.
+fn tree(triangles: usize) -> Tree<2, LEAF> {
+    Tree::new(triangles)
 }
 
 fn around([low, high]: Corners, [other_low, other_high]: Corners) -> Corners {

@@ -1,8 +1,8 @@
-//! What is found out about triangles before they are drawn: [bounds](Bounds), a [hierarchy](Hierarchy) for [picking](Picker),
+//! What is found out about triangles before they are drawn: [bounds](BoundingSphere), a [hierarchy](Hierarchy) for [picking](Picker),
 //! and what they keep off the [light](Shade). The worker makes it and the viewer uses it; it knows neither the solver nor a
 //! graphics device.
 
-mod bounds;
+mod bounding_sphere;
 mod contact;
 mod hierarchy;
 mod occlusion;
@@ -11,7 +11,7 @@ mod ray;
 mod scatter;
 mod shade;
 
-pub use bounds::Bounds;
+pub use bounding_sphere::BoundingSphere;
 pub use contact::{CONTACT_SIZE, Floor};
 pub use hierarchy::{Corners, Hierarchy};
 pub use occlusion::{Cube, OCCLUSION_SIZE};

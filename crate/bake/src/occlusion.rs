@@ -7,7 +7,7 @@
 
 use glam::{Quat, Vec3, Vec4};
 
-use crate::bounds::Bounds;
+use crate::bounding_sphere::BoundingSphere;
 use crate::scatter::scatter;
 
 /// Cells along a side of the grid.
@@ -35,7 +35,7 @@ pub struct Cube {
 impl Cube {
     /// Around a scene.
     #[must_use]
-    pub fn around(scene: Bounds) -> Self {
+    pub fn around(scene: BoundingSphere) -> Self {
         let cells = OCCLUSION_SIZE as f32;
         let side = scene.side * cells / (cells - 2.0 * MARGIN);
         Self { low: scene.center - 0.5 * side, side }
@@ -172,7 +172,7 @@ mod tests {
 
     fn scene(squares: &[[Vec3; 4]]) -> (Cube, Vec<u8>) {
         let positions: Vec<Vec3> = squares.iter().flatten().copied().collect();
-        let cube = Cube::around(Bounds::of_points(positions.iter()).expect("points"));
+        let cube = Cube::around(BoundingSphere::of_points(positions.iter()).expect("points"));
         let mut occlusion = Occlusion::new(cube);
         let triangles: Vec<[u32; 3]> = (0..squares.len() as u32)
             .flat_map(|i| [[4 * i, 4 * i + 1, 4 * i + 2], [4 * i, 4 * i + 2, 4 * i + 3]])
@@ -223,7 +223,7 @@ mod tests {
 
     #[test]
     fn a_point_has_a_cube_and_hides_nothing() {
-        let cube = Cube::around(Bounds::of_points([Vec3::X].iter()).expect("a point"));
+        let cube = Cube::around(BoundingSphere::of_points([Vec3::X].iter()).expect("a point"));
         assert!(cube.side > 0.0 && (cube.low + 0.5 * cube.side - Vec3::X).length() < 1e-6);
         let mut occlusion = Occlusion::new(cube);
         occlusion.add(&[Vec3::X], &[[0, 0, 0]]);

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::bounds::Bounds;
+use crate::bounding_sphere::BoundingSphere;
 use crate::contact::{CONTACT_SIZE, Contact, Floor};
 use crate::occlusion::{Cube, OCCLUSION_SIZE, Occlusion};
 
@@ -15,7 +15,7 @@ pub struct Shade {
 
 impl Shade {
     /// Of the meshes of a scene with these bounds: `#V × 3` positions and `#F × 3` indices of each.
-    pub fn new<'a>(scene: Bounds, meshes: impl Iterator<Item = (&'a [Vec3], &'a [[u32; 3]])>) -> Self {
+    pub fn new<'a>(scene: BoundingSphere, meshes: impl Iterator<Item = (&'a [Vec3], &'a [[u32; 3]])>) -> Self {
         let mut contact = Contact::new(Floor::new(scene), scene);
         let mut occlusion = Occlusion::new(Cube::around(scene));
         for (positions, triangles) in meshes {

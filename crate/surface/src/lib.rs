@@ -10,6 +10,7 @@ pub mod edges;
 pub mod element;
 mod error;
 pub mod halfedge;
+pub mod index;
 pub mod io;
 pub mod lanes;
 mod length_rule;
@@ -43,7 +44,6 @@ pub use element::{
 pub use error::{Error, Result};
 pub use halfedge::HalfedgeMesh;
 pub use motion::Motion;
-pub use order::along_curve;
 pub use path::{Path, PathPoint};
 pub use point::{Place, SNAP, Source, SurfacePoint, ToPoint, ToSource};
 pub use soup::{Attribute, Camera, Light, LightKind, Projection, Soup};

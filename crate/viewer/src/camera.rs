@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use glam::{DVec2, Vec3};
 
 use self::motion::{Flight, Orbit};
-use heatwalk_bake::Bounds;
+use heatwalk_bake::BoundingSphere;
 
 pub use self::eye::Eye;
 pub use self::view::View;
@@ -39,8 +39,8 @@ pub struct Camera {
     orbit: Orbit,
     /// Of the turntable; radians a second.
     spin: f64,
-    surface: Bounds,
-    scene: Bounds,
+    surface: BoundingSphere,
+    scene: BoundingSphere,
     /// Physical pixels.
     size: DVec2,
     /// Physical pixels a CSS pixel.
@@ -63,8 +63,8 @@ impl Camera {
             flight: None,
             orbit: Orbit::default(),
             spin: 0.0,
-            surface: Bounds::UNIT,
-            scene: Bounds::UNIT,
+            surface: BoundingSphere::UNIT,
+            scene: BoundingSphere::UNIT,
             size: DVec2::ONE,
             pixel_ratio: 1.0,
             insets: Insets::default(),
@@ -72,7 +72,7 @@ impl Camera {
     }
 
     /// What the view is relative to, and what must lie between the near and the far plane.
-    pub fn set_bounds(&mut self, surface: Bounds, scene: Bounds) {
+    pub fn set_bounds(&mut self, surface: BoundingSphere, scene: BoundingSphere) {
         self.surface = surface;
         self.scene = scene;
     }

@@ -60,7 +60,7 @@ pub use capture::Capture;
 pub use context::{Backend, Context};
 pub use environment::Surroundings;
 pub use error::Error;
-pub use heatwalk_bake::{Bounds, Hierarchy, Ray, Shade};
+pub use heatwalk_bake::{BoundingSphere, Hierarchy, Ray, Shade};
 pub use image::Image;
 pub use inner::InnerTriangles;
 pub use material::{CHANNELS, Material, TextureUse};

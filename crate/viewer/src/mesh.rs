@@ -1,7 +1,7 @@
 //! A mesh that is shown.
 
 use glam::Vec3;
-use heatwalk_bake::{Bounds, Hierarchy, Picker};
+use heatwalk_bake::{BoundingSphere, Hierarchy, Picker};
 
 use crate::appearance::{MeshAppearance, ModelBuffers};
 use crate::check;
@@ -51,7 +51,7 @@ impl MeshArrays {
 pub(crate) struct Mesh {
     pub(crate) buffers: MeshBuffers,
     pub(crate) model: Option<ModelBuffers>,
-    pub(crate) bounds: Bounds,
+    pub(crate) bounds: BoundingSphere,
     pub(crate) normals: Vec<Vec3>,
     pub(crate) picker: Picker,
 }
@@ -60,7 +60,8 @@ impl Mesh {
     /// None for a mesh without triangles.
     pub(crate) fn new(context: &Context, arrays: MeshArrays) -> Result<Option<Self>, Error> {
         arrays.check()?;
-        let Some(bounds) = Bounds::of_points(arrays.positions.iter()).filter(|_| !arrays.triangles.is_empty()) else {
+        let Some(bounds) = BoundingSphere::of_points(arrays.positions.iter()).filter(|_| !arrays.triangles.is_empty())
+        else {
             return Ok(None);
         };
         let MeshArrays { positions, normals, triangles, hierarchy, appearance } = arrays;

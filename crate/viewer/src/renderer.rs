@@ -26,7 +26,7 @@ use crate::style::Style;
 use crate::surface::{FieldBuffers, SurfaceRenderer};
 use crate::walker::Walkers;
 use crate::wire::Wires;
-use heatwalk_bake::{Bounds, Shade};
+use heatwalk_bake::{BoundingSphere, Shade};
 
 /// A place on the surface or the section under a pixel.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +75,7 @@ pub struct Renderer {
     scenery: Vec<Mesh>,
     inside: Inside,
     /// Of surface and scenery together, as they last came to rest.
-    scene: Bounds,
+    scene: BoundingSphere,
     /// Least and greatest corner of these and of all poses since, where there were any.
     reach: Option<[Vec3; 2]>,
     track: Option<Track>,
@@ -115,7 +115,7 @@ impl Renderer {
             shade: None,
             scenery: Vec::new(),
             inside: Inside::default(),
-            scene: Bounds::UNIT,
+            scene: BoundingSphere::UNIT,
             reach: None,
             track: None,
             dirty: true,
@@ -166,18 +166,18 @@ impl Renderer {
 
     /// Bounds of all that has cast a shadow since the scene last came to rest, and of the section, whose parts may be drawn
     /// asunder.
-    fn drawn(&self) -> Bounds {
+    fn drawn(&self) -> BoundingSphere {
         let scene = self.shadowed();
-        Bounds { radius: scene.radius.max(self.inside.reach), ..scene }
+        BoundingSphere { radius: scene.radius.max(self.inside.reach), ..scene }
     }
 
     /// Bounds of all but the section that has cast a shadow since the scene last came to rest.
-    fn shadowed(&self) -> Bounds {
-        self.reach.and_then(|reach| Bounds::of_points(reach.iter())).unwrap_or(self.scene)
+    fn shadowed(&self) -> BoundingSphere {
+        self.reach.and_then(|reach| BoundingSphere::of_points(reach.iter())).unwrap_or(self.scene)
     }
 
     fn radius(&self) -> f32 {
-        self.surface.as_ref().map_or(Bounds::UNIT.radius, |(mesh, _)| mesh.bounds.radius)
+        self.surface.as_ref().map_or(BoundingSphere::UNIT.radius, |(mesh, _)| mesh.bounds.radius)
     }
 
     /// The camera's current view.

@@ -5,7 +5,7 @@
 use glam::{Mat4, Vec2, Vec3};
 
 use crate::context::{Context, DEPTH_FORMAT};
-use heatwalk_bake::Bounds;
+use heatwalk_bake::BoundingSphere;
 
 /// Texels along a side.
 const SIZE: u32 = 1024;
@@ -39,7 +39,7 @@ pub(crate) struct ShadowView {
 
 impl ShadowView {
     /// Covers a scene, with light from a direction (unit length).
-    pub(crate) fn new(scene: Bounds, towards: Vec3) -> Self {
+    pub(crate) fn new(scene: BoundingSphere, towards: Vec3) -> Self {
         let reach = MARGIN * scene.radius;
         let (right, up) = towards.any_orthonormal_pair();
         let axes = [right, up, -towards];
@@ -112,7 +112,7 @@ mod tests {
 
     #[test]
     fn the_scene_fits_and_depth_grows_away_from_the_light() {
-        let scene = Bounds { center: Vec3::new(3.0, -1.0, 2.0), radius: 2.0, lowest: -3.0, side: 4.0 };
+        let scene = BoundingSphere { center: Vec3::new(3.0, -1.0, 2.0), radius: 2.0, lowest: -3.0, side: 4.0 };
         let towards = Vec3::new(-0.4, 0.8, 0.3).normalize();
         let view = ShadowView::new(scene, towards);
         let clip = |point: Vec3| view.clip_from_world.transform_point3(point);

@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 use heatwalk::VertexId;
+use heatwalk::surface::index::Bounds;
 
-use crate::boxes::{Bounds, Boxes};
+use crate::boxes::Boxes;
 use crate::corner::Corner;
 use crate::error::{Error, Result};
 use crate::mesh::locate::{GRAZING, weights};
@@ -132,12 +133,15 @@ impl TetMesh {
     /// The point at a place in space; none outside of the mesh. Where it is on a face, an edge or a vertex, it is in the first of the
     /// tetrahedra there. The first question makes a hierarchy of boxes, of about 16 bytes a tetrahedron, which is kept.
     pub fn locate(&self, place: DVec3) -> Option<TetPoint> {
-        let bounds = |tetrahedron: usize| Bounds::of(&self.corners(TetId(tetrahedron as u32)), GRAZING);
+        let bounds = |tetrahedron: usize| {
+            let own = Bounds::of_points(self.corners(TetId(tetrahedron as u32)));
+            own.grown(GRAZING * own.size())
+        };
         let boxes = self.boxes().get_or_init(|| Boxes::new(self.tetrahedron_count(), bounds));
         let mut first: Option<(u32, [f64; 4])> = None;
         boxes.near(place, |tetrahedron| {
             let is_first = first.is_none_or(|(other, _)| tetrahedron < other);
-            if is_first && bounds(tetrahedron as usize).contains(place) {
+            if is_first && bounds(tetrahedron as usize).holds(place) {
                 let weights = weights(self.scaled_corners(TetId(tetrahedron)), self.scaled(place));
                 if weights.iter().all(|&weight| weight >= -GRAZING) {
                     first = Some((tetrahedron, weights));

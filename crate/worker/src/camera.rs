@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use heatwalk::surface::{Camera, Projection};
-use heatwalk_bake::Bounds;
+use heatwalk_bake::BoundingSphere;
 use heatwalk_bindings::Message;
 use heatwalk_scene::DrawTransform;
 
@@ -23,7 +23,7 @@ pub struct CameraView {
 impl CameraView {
     /// Looks where the camera does, upright, from where the page's field of view covers as much at the distance of the
     /// surface, which has these bounds as it is drawn.
-    pub(crate) fn new(camera: &Camera, transform: &DrawTransform, surface: Bounds) -> Self {
+    pub(crate) fn new(camera: &Camera, transform: &DrawTransform, surface: BoundingSphere) -> Self {
         let (center, radius) = (surface.center.as_dvec3(), f64::from(surface.radius));
         let eye = transform.place(camera.position).as_dvec3();
         let forward = transform.direction(camera.forward);

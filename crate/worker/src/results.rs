@@ -3,7 +3,7 @@
 use glam::Vec3;
 use heatwalk::surface::appearance::Run;
 use heatwalk::{Costs, Path, PathPoint, Surface};
-use heatwalk_bake::{Bounds, Hierarchy};
+use heatwalk_bake::{BoundingSphere, Hierarchy};
 use heatwalk_bindings::{DrawPath, Message};
 use heatwalk_scene::DrawTransform;
 use js_sys::{Float32Array, Uint8Array, Uint32Array};
@@ -54,8 +54,8 @@ impl DrawMesh {
     }
 
     /// Of the triangles as they are drawn.
-    pub(crate) fn bounds(&self) -> Bounds {
-        Bounds::of_points(self.places().iter()).unwrap_or(Bounds::UNIT)
+    pub(crate) fn bounds(&self) -> BoundingSphere {
+        BoundingSphere::of_points(self.places().iter()).unwrap_or(BoundingSphere::UNIT)
     }
 
     /// What the triangles keep off the light around them.

@@ -1,6 +1,6 @@
 //! A few boxes that are compared with another one at once.
 
-use super::bounds::Bounds;
+use crate::index::Bounds;
 use crate::lanes::Lanes;
 
 /// How many.

@@ -6,11 +6,10 @@ use std::collections::HashSet;
 use glam::DVec3;
 
 use super::Portal;
-use super::bounds::Bounds;
 use super::scene::{Scene, cuts};
 use super::triangles::{nearest_on_segment, on_side};
 use crate::element::{FaceId, HalfedgeId};
-use crate::order::along_curve;
+use crate::index::{Bounds, Tree, along_curve};
 use crate::parallel;
 use crate::point::Place;
 use crate::triangle::unit;
@@ -162,40 +161,32 @@ fn for_pairs<'a>(
     reach: impl Fn(&Rim) -> f64,
     found: &mut impl FnMut(&'a Rim, &'a Rim) -> usize,
 ) -> bool {
-    let inner = rims.len().div_ceil(LEAF) - 1;
-    let mut boxes = vec![Bounds::EMPTY; inner];
-    boxes.extend(rims.chunks(LEAF).map(|leaf| Bounds::of_points(leaf.iter().flat_map(|rim| rim.ends))));
-    for node in (0..inner).rev() {
-        boxes[node] = boxes[2 * node + 1].around(boxes[2 * node + 2]);
-    }
+    let tree = Tree::<2, LEAF>::new(rims.len());
+    let of_leaf = |leaf: &[&Rim]| Bounds::of_points(leaf.iter().flat_map(|rim| rim.ends));
+    let boxes = tree.values(|leaf| of_leaf(&rims[leaf]), Bounds::around);
     let mut left = PAIRS_OF_EDGE.saturating_mul(rims.len()).saturating_add(PAIRS);
-    let mut waiting = Vec::new();
+    let mut are_all = true;
     for &rim in rims {
         let own = Bounds::of_points(rim.ends);
         let squared = reach(rim).powi(2);
-        waiting.push(0);
-        while let Some(node) = waiting.pop() {
-            if boxes[node].squared_distance(own) > squared {
-                continue;
-            }
-            if node < inner {
-                waiting.extend([2 * node + 1, 2 * node + 2]);
-                continue;
-            }
-            if left == 0 {
+        tree.visit(|node, leaf| {
+            if !are_all || boxes[node].squared_distance(own) > squared {
                 return false;
             }
-            left -= 1;
-            let first = LEAF * (node - inner);
-            for &other in &rims[first..rims.len().min(first + LEAF)] {
+            if !leaf.is_empty() {
+                are_all = left > 0;
+                left = left.saturating_sub(1);
+            }
+            for &other in rims[leaf].iter().take_while(|_| are_all) {
                 let is_no_longer = (other.length, other.halfedge) < (rim.length, rim.halfedge);
                 if is_no_longer && other.component == rim.component {
                     left = left.saturating_sub(PAIRS_OF_PORTAL * found(rim, other));
                 }
             }
-        }
+            true
+        });
     }
-    true
+    are_all
 }
 
 /// The portals between two edges, where these run along each other.

@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 use std::num::NonZeroUsize;
 
-use super::bounds::Bounds;
 use super::cracks::across_cracks;
 use super::distances::distances;
 use super::hierarchy::Hierarchy;
@@ -12,6 +11,7 @@ use super::scene::Scene;
 use super::search::{Candidate, search};
 use super::tolerance::Tolerance;
 use super::{BridgeRule, Bridges, Portal};
+use crate::index::Bounds;
 use crate::parallel;
 use crate::surface::Surface;
 use crate::union_find::UnionFind;
@@ -149,7 +149,7 @@ fn tolerance(scene: &Scene, set: Vec<u32>, share: f64, most: f64) -> Tolerance {
         bounds[set as usize] = bounds[set as usize].around(own);
     }
     let rounding = scene.rounding;
-    let reach = bounds.into_iter().map(|bounds| most.min(share * bounds.diagonal()) + rounding).collect();
+    let reach = bounds.into_iter().map(|bounds| most.min(share * bounds.size().length()) + rounding).collect();
     Tolerance { set, reach, pairs: HashMap::new() }
 }
 

@@ -1,17 +1,15 @@
 //! A bounding volume hierarchy over the triangles of all components: component after component along a Morton curve, the
-//! triangles of each along one of their own, in leaves of a few, under a complete tree (Lauterbach and others, "Fast BVH
-//! construction on GPUs", 2009) whose nodes have as many children, so that all are compared at once (Dammertz, Hanika & Keller,
-//! "Shallow bounding volume hierarchies", 2008). Nearly every box holds a single component.
+//! triangles of each along one of their own, under a tree of as many children as triangles a leaf, so that all are compared at
+//! once (Dammertz, Hanika & Keller, "Shallow bounding volume hierarchies", 2008). Nearly every box holds a single component.
 
 use std::ops::Range;
 
 use glam::DVec3;
 
-use super::bounds::Bounds;
 use super::boxes::{Boxes, WIDTH};
 use super::scene::Scene;
 use super::triangles::Triangle;
-use crate::order::along_curve;
+use crate::index::{Below, Bounds, Tree, along_curve};
 use crate::parallel;
 
 /// Triangles of a leaf, but for the last one.
@@ -62,27 +60,19 @@ fn groups(items: &[Item], most: usize) -> impl Iterator<Item = &[Item]> {
     items.chunks(most).flat_map(|leaf| leaf.chunk_by(|a, b| a.component == b.component))
 }
 
-/// What is below a node.
-pub enum Below<'a> {
-    Nodes(Range<usize>),
-    Items(&'a [Item]),
-}
-
 /// The triangles of a scene in boxes.
 pub struct Hierarchy {
     items: Vec<Item>,
-    /// The root, then the children of node `i` from `4 i + 1` to `4 i + 4`, as far as there are nodes; the leaves come last.
+    tree: Tree<WIDTH, LEAF>,
     nodes: Vec<Node>,
     /// `#nodes`, the boxes of what is below each.
     boxes: Vec<Boxes>,
-    /// How many nodes are no leaves.
-    inner: usize,
 }
 
 impl Hierarchy {
     /// Of a scene that has triangles.
     pub fn new(scene: &Scene) -> Self {
-        let centre = |component: usize| 0.5 * (scene.bounds[component].low + scene.bounds[component].high);
+        let centre = |component: usize| scene.bounds[component].middle();
         let mut items = Vec::with_capacity(scene.surface.face_count());
         for component in along_curve(scene.bounds.len(), centre, parallel::ONE) {
             let faces = scene.faces_of(component as usize);
@@ -97,23 +87,15 @@ impl Hierarchy {
         }
         let of_item =
             |item: &Item| Node { bounds: item.bounds, longest: item.longest, component: Some(item.component) };
-        let leaves = items.chunks(LEAF).filter_map(|leaf| leaf.iter().map(of_item).reduce(Node::around));
-        let leaf_count = items.len().div_ceil(LEAF);
-        let inner = (leaf_count - 1).div_ceil(WIDTH - 1);
-        let empty = Node { bounds: Bounds::EMPTY, longest: 0.0, component: None };
-        let mut nodes = vec![empty; inner];
-        nodes.extend(leaves);
-        let mut hierarchy = Self { items, nodes, boxes: Vec::new(), inner };
-        for node in (0..inner).rev() {
-            let below = hierarchy.children(node);
-            hierarchy.nodes[node] = below.map(|child| hierarchy.nodes[child]).reduce(Node::around).unwrap_or(empty);
-        }
-        let of_node = |node| match hierarchy.below(node) {
-            Below::Nodes(children) => Boxes::new(children.map(|child| hierarchy.nodes[child].bounds)),
-            Below::Items(items) => Boxes::new(items.iter().map(|item| item.bounds)),
+        let of_leaf = |leaf: &[Item]| leaf.iter().map(of_item).reduce(Node::around).expect("no leaf is empty");
+        let tree = Tree::new(items.len());
+        let nodes = tree.values(|leaf| of_leaf(&items[leaf]), Node::around);
+        let boxes_below = |node| match tree.below(node) {
+            Below::Nodes(children) => Boxes::new(nodes[children].iter().map(|node| node.bounds)),
+            Below::Items(below) => Boxes::new(items[below].iter().map(|item| item.bounds)),
         };
-        hierarchy.boxes = (0..hierarchy.nodes.len()).map(of_node).collect();
-        hierarchy
+        let boxes = (0..nodes.len()).map(boxes_below).collect();
+        Self { items, tree, nodes, boxes }
     }
 
     /// All triangles, in groups of at most [`LEAF`] neighbours of one component.
@@ -133,22 +115,9 @@ impl Hierarchy {
 
     /// What the components of all triangles below a node have in common, by node.
     pub fn common<T: Copy + PartialEq>(&self, of: impl Fn(u32) -> T) -> Vec<Option<T>> {
-        let mut common = vec![None; self.nodes.len()];
-        for node in (0..self.nodes.len()).rev() {
-            common[node] = match (self.below(node), self.nodes[node].component) {
-                (_, Some(component)) => Some(of(component)),
-                (Below::Nodes(children), None) => {
-                    let first = common[children.start];
-                    first.filter(|_| common[children].iter().all(|&other| other == first))
-                }
-                (Below::Items(items), None) => {
-                    let mut values = items.iter().map(|item| of(item.component));
-                    let first = values.next();
-                    first.filter(|&first| values.all(|value| value == first))
-                }
-            };
-        }
-        common
+        let join = |one: Option<T>, other| one.filter(|_| one == other);
+        let of_leaf = |leaf: Range<usize>| self.items[leaf].iter().map(|item| Some(of(item.component))).reduce(join)?;
+        self.tree.values(of_leaf, join)
     }
 
     /// A node; 0 is the root.
@@ -170,20 +139,15 @@ impl Hierarchy {
         level(node) + LEVELS_OF_BLOCK >= level(self.nodes.len() - 1)
     }
 
-    /// The nodes below a node that is no leaf.
-    #[inline]
-    fn children(&self, node: usize) -> Range<usize> {
-        let first = WIDTH * node + 1;
-        first..self.nodes.len().min(first + WIDTH)
-    }
-
     /// What is below a node.
     #[inline]
-    pub fn below(&self, node: usize) -> Below<'_> {
-        if node < self.inner {
-            return Below::Nodes(self.children(node));
-        }
-        let first = LEAF * (node - self.inner);
-        Below::Items(&self.items[first..self.items.len().min(first + LEAF)])
+    pub fn below(&self, node: usize) -> Below {
+        self.tree.below(node)
+    }
+
+    /// The triangles of a leaf.
+    #[inline]
+    pub fn items(&self, leaf: Range<usize>) -> &[Item] {
+        &self.items[leaf]
     }
 }

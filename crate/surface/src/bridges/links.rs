@@ -6,15 +6,15 @@
 
 use std::collections::HashMap;
 
-use super::bounds::Bounds;
 use super::budget::{Budget, STEPS_OF_PAIR};
 use super::find::{OF_SCENE, contacts};
-use super::hierarchy::{Below, Hierarchy, Item};
+use super::hierarchy::{Hierarchy, Item};
 use super::scene::Scene;
 use super::search::{Candidate, search};
 use super::tolerance::Tolerance;
 use super::triangles::{self, Features};
 use super::{Bridges, Portal};
+use crate::index::{Below, Bounds};
 use crate::parallel;
 use crate::surface::Surface;
 use crate::union_find::UnionFind;
@@ -156,7 +156,8 @@ fn nearest_places(hierarchy: &Hierarchy, set: &[u32], budget: &Budget) -> (Vec<O
                 continue;
             }
             match hierarchy.below(node) {
-                Below::Items(others) => {
+                Below::Items(leaf) => {
+                    let others = hierarchy.items(leaf);
                     for (item, other) in group.iter().flat_map(|item| others.iter().map(move |other| (item, other))) {
                         let of_other = set[other.component as usize];
                         if of_other == own {

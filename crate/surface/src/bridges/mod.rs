@@ -3,7 +3,6 @@
 //! Models are assembled of parts that share no vertex: each is a component of its own, and no path on the surface leads from one
 //! to another. Portals let distance and paths across. They lead across cracks within a component, too.
 
-mod bounds;
 mod boxes;
 mod budget;
 mod cells;

@@ -4,10 +4,10 @@ use std::num::NonZeroUsize;
 
 use glam::DVec3;
 
-use super::bounds::Bounds;
 use super::triangles::{Features, Triangle};
 use crate::csr::distribute;
 use crate::element::{Element, FaceId};
+use crate::index::Bounds;
 use crate::parallel;
 use crate::point::Place;
 use crate::surface::Surface;

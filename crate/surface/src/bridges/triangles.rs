@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-use super::bounds::Bounds;
+use crate::index::Bounds;
 use crate::triangle::area_vector;
 
 #[cfg(test)]
@@ -276,7 +276,7 @@ fn for_corners(
             let corner = triangle[k];
             let height = normal.dot(corner - other[0]);
             let is_far = height * height > within * within * squared
-                || around.squared_distance(Bounds { low: corner, high: corner }) > within * within;
+                || around.squared_distance(Bounds::at(corner)) > within * within;
             if within < 0.0 || is_far {
                 continue;
             }
@@ -402,7 +402,7 @@ pub fn spread(
     });
     for of in 0..2 {
         let (triangle, other) = (&triangles[of], &triangles[1 - of]);
-        let near = Bounds::of_points(*other).grown(tolerance);
+        let near = Bounds::of_points(*other).grown(DVec3::splat(tolerance));
         let normal = area_vector(*other);
         let mut take_own = |own: [f64; 3]| {
             tried += 1;

@@ -6,11 +6,11 @@
 
 use std::ops::Range;
 
-use super::bounds::Bounds;
 use super::boxes::{Boxes, WIDTH};
 use super::budget::Budget;
-use super::hierarchy::{Below, Hierarchy, Item, LEAF, Node};
+use super::hierarchy::{Hierarchy, Item, LEAF, Node};
 use super::tolerance::Tolerance;
+use crate::index::{Below, Bounds};
 
 /// Triangles of a part of a block, for which boxes are put in order.
 const PART: usize = LEAF * WIDTH;
@@ -101,7 +101,7 @@ pub fn visit<'a>(
                     let Some(bound) = bound.filter(|bound| squared <= bound * bound) else { continue };
                     match hierarchy.below(node) {
                         Below::Nodes(children) => query.near(node, children, bound, &mut waiting),
-                        Below::Items(others) => meet(group, &query, node, others, bound, visitor),
+                        Below::Items(leaf) => meet(group, &query, node, hierarchy.items(leaf), bound, visitor),
                     }
                 }
                 are_all &= budget.take(steps + visitor.steps() - before);

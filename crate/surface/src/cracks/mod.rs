@@ -4,8 +4,8 @@
 //! both sides of it come together (Barequet & Kumar, "Repairing CAD models", 1997, section 4, match boundary edges too). No
 //! vertex moves farther than its triangles allow, and none that is not on a boundary moves at all.
 
+mod reach;
 mod rule;
-mod tree;
 
 pub use rule::WeldRule;
 
@@ -18,7 +18,7 @@ use crate::csr::NONE;
 use crate::edges::{Corners, Edges};
 use crate::element::{Element, HalfedgeId, VertexId};
 use crate::triangle::{area_vector, length, unit};
-use tree::Tree;
+use reach::Reaching;
 
 /// Cracks no wider than this share of the diagonal of the bounding box are closed if nothing else is said.
 const AUTOMATIC: f64 = 1e-4;
@@ -161,24 +161,24 @@ impl<'a> Rims<'a> {
     /// one, then the nearest two of those that are left, and so on; none is farther from the one that it becomes than it may move.
     fn clusters(&self) -> Vec<u32> {
         let mut cluster: Vec<u32> = (0..self.vertices.len() as u32).collect();
-        let mut tree = Tree::new(&self.points, &self.reach);
-        let pair = |tree: &Tree, vertex: u32| {
-            let (other, gap) = tree.nearest(vertex)?;
+        let mut left = Reaching::new(&self.points, &self.reach);
+        let pair = |left: &Reaching, vertex: u32| {
+            let (other, gap) = left.nearest(vertex)?;
             // Of numbers that are not negative, the bits are in the order of the numbers.
             Some(Reverse((gap.to_bits(), vertex.min(other), vertex.max(other), vertex)))
         };
-        let mut waiting: BinaryHeap<_> = tree.points().iter().filter_map(|&vertex| pair(&tree, vertex)).collect();
+        let mut waiting: BinaryHeap<_> = left.points().iter().filter_map(|&vertex| pair(&left, vertex)).collect();
         while let Some(Reverse((gap, first, second, vertex))) = waiting.pop() {
             let gap = f64::from_bits(gap);
-            let least = tree.reach(first).min(tree.reach(second));
+            let least = left.reach(first).min(left.reach(second));
             // As reaches only become shorter, what still is within them is the nearest still.
             if gap <= least {
                 cluster[second as usize] = first;
-                tree.remove(second);
+                left.remove(second);
                 // What was moved here before may move so much less.
-                tree.shorten(first, least - gap);
+                left.shorten(first, least - gap);
             }
-            waiting.extend(pair(&tree, vertex));
+            waiting.extend(pair(&left, vertex));
         }
         // The one that each became is an earlier one, which is in its cluster already.
         for vertex in 0..cluster.len() {

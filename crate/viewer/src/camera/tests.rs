@@ -5,14 +5,14 @@ use glam::{DMat3, DVec3, Vec2, Vec3};
 use super::motion::{FLIGHT_SECONDS, GLIDE_SECONDS};
 use super::view::{DISTANCE_RANGE, TARGET_RANGE};
 use super::{Camera, Insets, View};
-use heatwalk_bake::Bounds;
+use heatwalk_bake::BoundingSphere;
 
 /// Pixels; single precision on coordinates up to two thousand.
 const PIXEL_TOLERANCE: f32 = 2e-3;
 
 fn camera() -> Camera {
     let mut camera = Camera::new();
-    let surface = Bounds { center: Vec3::new(5.0, -2.0, 1.0), radius: 3.0, lowest: -5.0, side: 6.0 };
+    let surface = BoundingSphere { center: Vec3::new(5.0, -2.0, 1.0), radius: 3.0, lowest: -5.0, side: 6.0 };
     camera.set_bounds(surface, surface);
     camera.set_size(1600, 900, 2.0);
     camera
@@ -186,7 +186,7 @@ fn a_view_survives_a_change_of_scale() {
     let mut camera = camera();
     let point = Vec3::new(6.0, -1.0, 2.0);
     let before = camera.project(point).expect("in front");
-    let scaled = Bounds { center: 10.0 * Vec3::new(5.0, -2.0, 1.0), radius: 30.0, lowest: -50.0, side: 60.0 };
+    let scaled = BoundingSphere { center: 10.0 * Vec3::new(5.0, -2.0, 1.0), radius: 30.0, lowest: -50.0, side: 60.0 };
     camera.set_bounds(scaled, scaled);
     let after = camera.project(10.0 * point).expect("in front");
     assert!((after - before).length() < PIXEL_TOLERANCE);

@@ -1,7 +1,7 @@
 //! What is shown.
 
 use glam::Vec3;
-use heatwalk_bake::{Bounds, Shade};
+use heatwalk_bake::{BoundingSphere, Shade};
 
 use super::Renderer;
 use crate::check;
@@ -107,8 +107,8 @@ impl Renderer {
         if self.models.is_none() && self.meshes().any(|mesh| mesh.model.is_some()) {
             self.models = Some(ModelRenderer::new(&self.context));
         }
-        let surface = self.surface.as_ref().map_or(Bounds::UNIT, |(mesh, _)| mesh.bounds);
-        let all = || Bounds::of_points(self.meshes().flat_map(Mesh::positions));
+        let surface = self.surface.as_ref().map_or(BoundingSphere::UNIT, |(mesh, _)| mesh.bounds);
+        let all = || BoundingSphere::of_points(self.meshes().flat_map(Mesh::positions));
         let all = if self.scenery.is_empty() { None } else { all() };
         self.scene = all.unwrap_or(surface);
         self.reach = None;
@@ -119,7 +119,7 @@ impl Renderer {
     /// Tells the camera what is drawn where.
     pub(super) fn adopt_bounds(&mut self) {
         self.inside.measure(self.shadowed().center);
-        let surface = self.surface.as_ref().map_or(Bounds::UNIT, |(mesh, _)| mesh.bounds);
+        let surface = self.surface.as_ref().map_or(BoundingSphere::UNIT, |(mesh, _)| mesh.bounds);
         self.camera.set_bounds(surface, self.drawn());
     }
 

@@ -4,6 +4,7 @@ use std::num::NonZeroUsize;
 use std::ops::Range;
 
 use glam::DVec3;
+use heatwalk::surface::index::Bounds;
 use heatwalk::surface::parallel;
 use heatwalk::{Progress, Stage};
 
@@ -11,7 +12,7 @@ use super::error::{Error, Result};
 use super::hierarchy::Hierarchy;
 use super::lattice::{BLOCK, Lattice};
 use super::triangle::Crossing;
-use crate::boxes::{Bounds, Boxes};
+use crate::boxes::Boxes;
 use crate::mesh::locate::weights;
 use crate::soup::TetSoup;
 
@@ -40,28 +41,21 @@ const SEQUENCE: DVec3 = DVec3::new(0.819_172_513_396_164_5, 0.671_043_606_703_78
 #[derive(Debug)]
 pub struct Field {
     hierarchy: Hierarchy,
-    /// Nothing outside of this box is inside.
-    low: DVec3,
-    high: DVec3,
 }
 
 impl Field {
     pub fn new(hierarchy: Hierarchy) -> Self {
-        let [low, high] = hierarchy.bounds();
-        Self { hierarchy, low, high }
+        Self { hierarchy }
     }
 
-    pub fn bounds(&self) -> [DVec3; 2] {
-        [self.low, self.high]
+    /// Nothing outside of this box is inside.
+    pub fn bounds(&self) -> Bounds {
+        self.hierarchy.bounds()
     }
 
     /// How often the triangles wind around a point: 0 outside of their box.
     pub fn winding(&self, point: DVec3) -> f64 {
-        if self.is_in_box(point) { self.hierarchy.winding(point) } else { 0.0 }
-    }
-
-    fn is_in_box(&self, point: DVec3) -> bool {
-        point.cmpge(self.low).all() && point.cmple(self.high).all()
+        if self.bounds().holds(point) { self.hierarchy.winding(point) } else { 0.0 }
     }
 
     /// Distance from a point to the surface.
@@ -114,8 +108,9 @@ impl Field {
             let winding = self.winding(middle);
             if (winding - winding.round()).abs() <= WHOLE {
                 if winding > INSIDE {
-                    let points =
-                        lattice.points_of(first, cells).filter(|&(_, point)| self.is_in_box(lattice.position(point)));
+                    let points = lattice
+                        .points_of(first, cells)
+                        .filter(|&(_, point)| self.bounds().holds(lattice.position(point)));
                     points.for_each(|(bit, _)| masks[0] |= 1 << bit);
                 }
                 return;
@@ -162,7 +157,7 @@ impl Field {
         progress: Progress<'_>,
     ) -> Result<f64> {
         let corners = |tetrahedron: usize| soup.tetrahedra[tetrahedron].map(|corner| soup.positions[corner as usize]);
-        let boxes = Boxes::new(soup.tetrahedra.len(), |tetrahedron| Bounds::of(&corners(tetrahedron), 0.0));
+        let boxes = Boxes::new(soup.tetrahedra.len(), |tetrahedron| Bounds::of_points(corners(tetrahedron)));
         let is_filled = |place: DVec3| {
             let mut is_in_any = false;
             boxes.near(place, |tetrahedron| {

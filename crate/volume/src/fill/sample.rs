@@ -50,8 +50,7 @@ pub struct Sample {
 impl Sample {
     /// `triangles`: those of the field.
     pub fn new(field: &Field, triangles: &[Triangle], threads: NonZeroUsize) -> Self {
-        let [low, high] = field.bounds();
-        let size = high - low;
+        let (low, size) = (field.bounds().low, field.bounds().size());
         let side = (size.element_product() / CELLS).cbrt().max(size.max_element() / MOST_ALONG);
         // Beyond the last point another layer, so that each point inside has neighbours.
         let cells = (size / side).to_array().map(|cells| cells.ceil() as usize + 2);
@@ -77,8 +76,7 @@ impl Sample {
 /// Whether some triangles have another part right under them: where parts overlap, some of each lie in the other, however thin the
 /// overlap is.
 fn has_thin_overlaps(field: &Field, triangles: &[Triangle], threads: NonZeroUsize) -> bool {
-    let [low, high] = field.bounds();
-    let under = UNDER * (high - low).max_element();
+    let under = UNDER * field.bounds().size().max_element();
     let step = triangles.len().div_ceil(TRIANGLES);
     let windings = parallel::collect(triangles.len().div_ceil(step), threads, |index| {
         let triangle = &triangles[step * index];

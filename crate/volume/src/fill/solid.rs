@@ -163,8 +163,7 @@ impl Solid {
     }
 
     fn longest(&self) -> f64 {
-        let [low, high] = self.field.bounds();
-        (high - low).max_element()
+        self.field.bounds().size().max_element()
     }
 
     fn cells(&self, resolution: Resolution) -> Result<f64> {
@@ -268,10 +267,10 @@ impl Solid {
 
     /// A lattice around the box, in its middle, with a layer of cells to spare on the low sides and two on the high ones.
     fn lattice(&self, cells: f64) -> Result<Lattice> {
-        let [low, high] = self.field.bounds();
+        let bounds = self.field.bounds();
         let side = self.longest() / cells;
-        let along = ((high - low) / side - SLACK).ceil().max(DVec3::ONE);
-        let origin = 0.5 * (low + high) - (0.5 * along + 1.0) * side;
+        let along = (bounds.size() / side - SLACK).ceil().max(DVec3::ONE);
+        let origin = bounds.middle() - (0.5 * along + 1.0) * side;
         let counts = along.to_array().map(|count| count as usize + 3);
         let points = 2 * counts.iter().map(|&count| count as u64).product::<u64>();
         let is_numbered = points < u64::from(u32::MAX);

@@ -2,7 +2,7 @@ use glam::Vec3;
 
 /// A bounding sphere around the centre of the axis-aligned box; world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
+pub struct BoundingSphere {
     /// Centre of the box.
     pub center: Vec3,
     /// Greatest distance of a point from the centre; positive.
@@ -13,7 +13,7 @@ pub struct Bounds {
     pub side: f32,
 }
 
-impl Bounds {
+impl BoundingSphere {
     /// Stands in while nothing is shown, so that the camera always has a scale.
     pub const UNIT: Self = Self { center: Vec3::ZERO, radius: 1.0, lowest: -1.0, side: 2.0 };
 
@@ -45,7 +45,7 @@ mod tests {
     #[test]
     fn the_sphere_is_centred_on_the_box() {
         let points = [Vec3::new(-1.0, 0.0, 0.0), Vec3::new(3.0, 0.0, 0.0), Vec3::new(0.0, 1.0, -1.0)];
-        let bounds = Bounds::of_points(points.iter()).expect("three points");
+        let bounds = BoundingSphere::of_points(points.iter()).expect("three points");
         assert_eq!((bounds.center, bounds.side), (Vec3::new(1.0, 0.5, -0.5), 4.0));
         // (2, 0.5, 0.5) from the centre; the square root rounds once.
         assert!((bounds.radius - 4.5_f32.sqrt()).abs() < 1e-6);
@@ -53,10 +53,10 @@ mod tests {
 
     #[test]
     fn a_single_point_has_a_scale() {
-        let bounds = Bounds::of_points([Vec3::splat(3.0)].iter()).expect("one point");
-        assert_eq!(bounds, Bounds { center: Vec3::splat(3.0), radius: 1.0, lowest: 3.0, side: 2.0 });
-        let nearly_one = Bounds::of_points([Vec3::ZERO, Vec3::splat(1e-30)].iter()).expect("two points");
+        let bounds = BoundingSphere::of_points([Vec3::splat(3.0)].iter()).expect("one point");
+        assert_eq!(bounds, BoundingSphere { center: Vec3::splat(3.0), radius: 1.0, lowest: 3.0, side: 2.0 });
+        let nearly_one = BoundingSphere::of_points([Vec3::ZERO, Vec3::splat(1e-30)].iter()).expect("two points");
         assert_eq!((nearly_one.radius, nearly_one.side), (1.0, 2.0));
-        assert_eq!(Bounds::of_points([].iter()), None);
+        assert_eq!(BoundingSphere::of_points([].iter()), None);
     }
 }

@@ -1,0 +1,283 @@
+//! Which nodes and things are below a node of a complete tree, and the way through it.
+
+use std::ops::Range;
+
+/// A complete tree of nodes with `WIDTH` children each over `items`, `LEAF` of them a leaf, but for the last node and the last leaf:
+/// the root is 0, the children of node `i` are from `WIDTH i + 1` to `WIDTH i + WIDTH`, the leaves come last.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tree<const WIDTH: usize, const LEAF: usize> {
+    items: usize,
+    /// How many nodes are no leaves.
+    inner: usize,
+    nodes: usize,
+}
+
+/// What is below a node.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Below {
+    /// Other nodes.
+    Nodes(Range<usize>),
+    /// Items, by their places in order.
+    Items(Range<usize>),
+}
+
+impl<const WIDTH: usize, const LEAF: usize> Tree<WIDTH, LEAF> {
+    /// A tree over so many items, which has no node where there are none.
+    #[must_use]
+    pub const fn new(items: usize) -> Self {
+        let leaves = items.div_ceil(LEAF);
+        let inner = leaves.saturating_sub(1).div_ceil(WIDTH - 1);
+        Self { items, inner, nodes: inner + leaves }
+    }
+
+    /// How many nodes there are.
+    #[must_use]
+    pub const fn len(self) -> usize {
+        self.nodes
+    }
+
+    /// Whether there are no nodes.
+    #[must_use]
+    pub const fn is_empty(self) -> bool {
+        self.nodes == 0
+    }
+
+    /// What is below a node.
+    #[inline]
+    #[must_use]
+    pub fn below(self, node: usize) -> Below {
+        if node < self.inner { Below::Nodes(self.children(node)) } else { Below::Items(self.leaf(node)) }
+    }
+
+    #[inline]
+    fn children(self, node: usize) -> Range<usize> {
+        let first = WIDTH * node + 1;
+        first..self.nodes.min(first + WIDTH)
+    }
+
+    #[inline]
+    fn leaf(self, node: usize) -> Range<usize> {
+        let first = LEAF * (node - self.inner);
+        first..self.items.min(first + LEAF)
+    }
+
+    /// A value a node: those of leaves are made of their items, those of others by joining the values of their children.
+    pub fn values<T: Clone>(self, leaf: impl Fn(Range<usize>) -> T, join: impl Fn(T, T) -> T) -> Vec<T> {
+        // From the last node to the root.
+        let mut values: Vec<T> = Vec::with_capacity(self.nodes);
+        for node in (0..self.nodes).rev() {
+            let of_child = |child: usize| values[self.nodes - 1 - child].clone();
+            let value = match self.below(node) {
+                Below::Nodes(children) => children.map(of_child).reduce(&join).expect("each node has a child"),
+                Below::Items(items) => leaf(items),
+            };
+            values.push(value);
+        }
+        values.reverse();
+        values
+    }
+
+    /// The same where an item has changed since.
+    pub fn update<T: Clone>(
+        self,
+        values: &mut [T],
+        item: usize,
+        leaf: impl FnOnce(Range<usize>) -> T,
+        join: impl Fn(T, T) -> T,
+    ) {
+        let mut node = self.inner + item / LEAF;
+        values[node] = leaf(self.leaf(node));
+        while node > 0 {
+            node = (node - 1) / WIDTH;
+            let of_children = self.children(node).map(|child| values[child].clone());
+            values[node] = of_children.reduce(&join).expect("each node has a child");
+        }
+    }
+}
+
+impl<const LEAF: usize> Tree<2, LEAF> {
+    /// Goes through the tree from the first item to the last. `enter` is told each node, with its items if it is a leaf and none
+    /// otherwise, and answers whether to go on below.
+    #[inline]
+    pub fn visit(self, mut enter: impl FnMut(usize, Range<usize>) -> bool) {
+        if self.is_empty() {
+            return;
+        }
+        // Counted from 1, a node has its children at twice its number.
+        let mut number = 1;
+        loop {
+            let node = number - 1;
+            if node < self.inner {
+                if enter(node, 0..0) {
+                    number *= 2;
+                    continue;
+                }
+            } else {
+                enter(node, self.leaf(node));
+            }
+            // The next child of the nearest node above that has one: up from each second child.
+            number += 1;
+            number >>= number.trailing_zeros();
+            if number == 1 {
+                return;
+            }
+        }
+    }
+
+    /// Looks at leaves, those of the nearest nodes first, as long as they are nearer than a bound. `distance`: the least that a node's
+    /// items may have. `look` is told items and the bound, and answers the bound from there on.
+    #[inline]
+    pub fn nearest<D: Copy + PartialOrd>(
+        self,
+        mut bound: D,
+        distance: impl Fn(usize) -> D,
+        mut look: impl FnMut(Range<usize>, D) -> D,
+    ) {
+        if !self.is_empty() && distance(0) < bound {
+            self.nearest_below(0, &mut bound, &distance, &mut look);
+        }
+    }
+
+    fn nearest_below<D: Copy + PartialOrd>(
+        self,
+        node: usize,
+        bound: &mut D,
+        distance: &impl Fn(usize) -> D,
+        look: &mut impl FnMut(Range<usize>, D) -> D,
+    ) {
+        if node >= self.inner {
+            *bound = look(self.leaf(node), *bound);
+            return;
+        }
+        let mut children = [2 * node + 1, 2 * node + 2].map(|child| (child, distance(child)));
+        if children[1].1 < children[0].1 {
+            children.swap(0, 1);
+        }
+        for (child, distance_of_child) in children {
+            if distance_of_child < *bound {
+                self.nearest_below(child, bound, distance, look);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+    use rand::{RngExt, SeedableRng};
+    use rand_xoshiro::SplitMix64;
+
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    use super::super::{Bounds, along_fine_curve};
+    use super::*;
+
+    const COUNTS: [usize; 8] = [0, 1, 3, 4, 5, 9, 100, 1000];
+
+    /// Points in the order of a curve.
+    fn points(count: usize) -> Vec<DVec3> {
+        let mut random = SplitMix64::seed_from_u64(3);
+        let points: Vec<DVec3> = (0..count).map(|_| DVec3::from_array(random.random())).collect();
+        along_fine_curve(&points).into_iter().map(|number| points[number as usize]).collect()
+    }
+
+    fn boxes(tree: Tree<2, 4>, points: &[DVec3]) -> Vec<Bounds> {
+        tree.values(|leaf| Bounds::of_points(points[leaf].iter().copied()), Bounds::around)
+    }
+
+    fn each_item_is_below_every_node_above_it<const WIDTH: usize, const LEAF: usize>() {
+        for count in COUNTS {
+            let tree = Tree::<WIDTH, LEAF>::new(count);
+            let join = |one: Vec<usize>, other: Vec<usize>| [one, other].concat();
+            let below = tree.values(|leaf| leaf.collect(), join);
+            assert_eq!(below.len(), tree.len());
+            assert_eq!(tree.is_empty(), count == 0);
+            let mut root = below.first().cloned().unwrap_or_default();
+            root.sort_unstable();
+            assert!(root.into_iter().eq(0..count), "each of {count} items once");
+            for (node, own) in below.iter().enumerate() {
+                match tree.below(node) {
+                    Below::Items(items) => assert!(items.len() <= LEAF && own.iter().copied().eq(items)),
+                    Below::Nodes(children) => {
+                        assert!(children.start > node && children.len() <= WIDTH);
+                        assert_eq!(*own, below[children].concat());
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn each_item_is_below_one_leaf() {
+        each_item_is_below_every_node_above_it::<2, 4>();
+        each_item_is_below_every_node_above_it::<4, 4>();
+    }
+
+    #[test]
+    fn a_changed_item_changes_the_values_above_it() {
+        let mut items: Vec<u32> = (0..100).collect();
+        let tree = Tree::<4, 4>::new(items.len());
+        let of = |items: &[u32]| items.iter().copied().max().expect("no leaf is empty");
+        let mut values = tree.values(|leaf| of(&items[leaf]), u32::max);
+        for item in [99, 0, 50, 98] {
+            items[item] /= 2;
+            tree.update(&mut values, item, |leaf| of(&items[leaf]), u32::max);
+            assert_eq!(values, tree.values(|leaf| of(&items[leaf]), u32::max));
+        }
+    }
+
+    #[test]
+    fn the_boxes_that_a_place_is_in_and_the_pairs_within_a_distance_are_those_of_all() {
+        for count in COUNTS {
+            let (points, tree) = (points(count), Tree::new(count));
+            let boxes = boxes(tree, &points);
+            for (number, &point) in points.iter().enumerate().step_by(7) {
+                let is_near = |&other: &usize| points[other].distance_squared(point) <= 0.04;
+                let mut near = Vec::new();
+                tree.visit(|node, leaf| {
+                    near.extend(leaf.filter(is_near));
+                    boxes[node].squared_distance(Bounds::at(point)) <= 0.04
+                });
+                near.sort_unstable();
+                assert!(near.contains(&number) && near.into_iter().eq((0..count).filter(is_near)));
+                let mut holds = Vec::new();
+                tree.visit(|node, _| {
+                    let is_in = boxes[node].holds(point);
+                    holds.extend(is_in.then_some(node));
+                    is_in
+                });
+                holds.sort_unstable();
+                assert!(holds.into_iter().eq((0..tree.len()).filter(|&node| boxes[node].holds(point))));
+            }
+        }
+    }
+
+    #[test]
+    fn the_nearest_and_the_five_nearest_are_those_of_all() {
+        for count in COUNTS {
+            let (points, tree) = (points(count), Tree::new(count));
+            let boxes = boxes(tree, &points);
+            for place in self::points(50) {
+                let place = 1.2 * place - 0.1;
+                for most in [1, 5] {
+                    let mut nearest: Vec<f64> = Vec::new();
+                    let mut looked = 0;
+                    let distance = |node: usize| boxes[node].squared_distance(Bounds::at(place));
+                    tree.nearest(f64::INFINITY, distance, |leaf, _| {
+                        looked += leaf.len();
+                        nearest.extend(points[leaf].iter().map(|point| point.distance_squared(place)));
+                        nearest.sort_unstable_by(f64::total_cmp);
+                        nearest.truncate(most);
+                        nearest.get(most - 1).copied().unwrap_or(f64::INFINITY)
+                    });
+                    let mut all: Vec<f64> = points.iter().map(|point| point.distance_squared(place)).collect();
+                    all.sort_unstable_by(f64::total_cmp);
+                    all.truncate(most);
+                    assert_eq!(nearest, all);
+                    assert!(count < 1000 || looked < count / 4, "looked at {looked} of {count}");
+                }
+            }
+        }
+    }
+}
