@@ -42,6 +42,8 @@ export default defineConfig({
     screenshot: 'only-on-failure',
     // What a service worker keeps costs time; where it is tested it is allowed.
     serviceWorkers: 'block',
+    // A test gets the page of the one before, with its storage and cache emptied: a new profile takes a fifth of all the time.
+    reuseContext: true,
     // Nothing moves by itself but where a test is about that: pictures are drawn by the processor here, which has enough to do.
     contextOptions: { reducedMotion: 'reduce' },
   },

@@ -158,6 +158,9 @@ export const test = base.extend<{ heatwalk: HeatwalkPage }>({
     await use(new HeatwalkPage(page, info.project.name === 'webgpu' ? 'WebGPU' : 'WebGL2'));
     // A request that comes as the page closes has nobody left to answer to.
     await page.unrouteAll({ behavior: 'ignoreErrors' });
+    // The next test has the same browser profile, of which these two are not set back.
+    await page.context().setOffline(false);
+    await page.context().clearPermissions();
     expect(errors, 'errors that nobody caught').toEqual([]);
   },
 });

@@ -3,6 +3,7 @@ import type { Page } from '@playwright/test';
 import { DEFAULT_WINDOWS } from '../../web/wasm/contract';
 import { grid, off, sphere } from '../fixtures';
 import { crossings, expect, type HeatwalkPage, test } from '../page';
+import { runInWorkers, workerThatPrints } from '../worker';
 
 /** With more triangles than propagation searches exactly at first. */
 const BALL = off(sphere(24));
@@ -20,9 +21,10 @@ const MEBIBYTES = 4096;
 
 /** Keeps the worker that is to factor the file from it until the gate is opened, and tells the console of each opening. */
 async function gate(page: Page): Promise<() => Promise<void>> {
-  await page.route(/entry.*\.js$/, async (route) => {
-    const response = await route.fetch();
-    const watch = `addEventListener('message', (event) => {
+  const held = workerThatPrints(page, 'held');
+  await runInWorkers(
+    page,
+    `addEventListener('message', (event) => {
       const { path, argumentList } = event.data;
       if (path?.[0] === 'open') console.info('opening');
       if (path?.[0] !== 'prepare' || event.isLetThrough) return;
@@ -32,17 +34,10 @@ async function gate(page: Page): Promise<() => Promise<void>> {
         dispatchEvent(Object.assign(new MessageEvent('message', { data: event.data }), { isLetThrough: true }));
       });
       console.info('held');
-    });`;
-    await route.fulfill({ response, body: watch + (await response.text()) });
-  });
-  const held = new Promise<void>((resolve) => {
-    page.on('console', (message) => {
-      if (message.text() === 'held') resolve();
-    });
-  });
+    });`,
+  );
   return async () => {
-    await held;
-    for (const worker of page.workers()) await worker.evaluate(() => dispatchEvent(new Event('gate')));
+    await (await held).evaluate(() => void dispatchEvent(new Event('gate')));
   };
 }
 

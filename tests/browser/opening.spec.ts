@@ -1,6 +1,7 @@
 /** Large meshes: drawn before they are solved, and the former scene comes back where they are not. */
 import type { Page } from '@playwright/test';
 import { crossings, difference, expect, type HeatwalkPage, test } from '../page';
+import { runInWorkers, workerThatPrints } from '../worker';
 
 /** Drops a torus of 4 n² triangles, made in the page because it is too large to be sent there. */
 async function dropTorus(page: Page, name: string, n: number): Promise<void> {
@@ -82,37 +83,33 @@ async function stripesAcross(heatwalk: HeatwalkPage, n: number): Promise<number>
   return crossings(await heatwalk.picture(), outer[0], inner[1], outer[1]);
 }
 
-/** Workers keep back the first answer to a mesh from a file, until they are told to `release` it or to `refuse`. */
-async function holdFirstAnswers(page: Page): Promise<void> {
-  await page.route(/entry.*\.js$/, async (route) => {
-    const response = await route.fetch();
-    const holds = `let isFile = false;
-      let held = null;
+/**
+ * A worker keeps back its first answer to a mesh from a file. The first that does is told to `release` it or to `refuse`, once it
+ * has been asked.
+ */
+async function holdFirstAnswers(page: Page): Promise<(what: 'release' | 'refuse') => Promise<void>> {
+  const held = workerThatPrints(page, 'held');
+  await runInWorkers(
+    page,
+    `let isFile = false;
+      let kept = null;
       addEventListener('message', (event) => {
         const { path, argumentList } = event.data;
         isFile ||= path?.[0] === 'open' && argumentList[0].value.kind === 'files';
-        if (!isFile || path?.[0] !== 'propagate' || event.data === held) return;
+        if (!isFile || path?.[0] !== 'propagate' || event.data === kept) return;
         event.stopImmediatePropagation();
-        held = event.data;
+        kept = event.data;
+        console.info('held');
       });
-      self.release = () => dispatchEvent(new MessageEvent('message', { data: held }));
+      self.release = () => dispatchEvent(new MessageEvent('message', { data: kept }));
       self.refuse = () => {
         const value = { isError: true, value: { name: 'Error', message: 'no answer', stack: '' } };
-        postMessage({ id: held.id, type: 'HANDLER', name: 'throw', value });
-      };
-      self.holds = () => held !== null;`;
-    await route.fulfill({ response, body: holds + (await response.text()) });
-  });
-}
-
-/** Tells the worker that keeps an answer back what to do. */
-async function tell(page: Page, what: 'release' | 'refuse'): Promise<void> {
-  for (const worker of page.workers()) {
-    await worker.evaluate((method) => {
-      const { holds, [method]: act } = self as unknown as Record<string, () => boolean>;
-      if (holds()) act();
-    }, what);
-  }
+        postMessage({ id: kept.id, type: 'HANDLER', name: 'throw', value });
+      };`,
+  );
+  return async (what) => {
+    await (await held).evaluate((method) => void (self as unknown as Record<string, () => void>)[method]?.(), what);
+  };
 }
 
 const RINGS = 160;
@@ -142,7 +139,7 @@ test('a large mesh is drawn before its first answer, and keeps its view when tha
   heatwalk,
   page,
 }) => {
-  await holdFirstAnswers(page);
+  const tell = await holdFirstAnswers(page);
   await heatwalk.open('#v=1&m=teapot&refine=0');
   const teapot = await heatwalk.picture();
   await preview(heatwalk);
@@ -162,7 +159,7 @@ test('a large mesh is drawn before its first answer, and keeps its view when tha
   const turned = await page.evaluate(() => window.heatwalk.camera);
   expect(difference(plain, await heatwalk.screen())).toBeGreaterThan(0.005);
 
-  await tell(page, 'release');
+  await tell('release');
   await expect.poll(async () => (await heatwalk.mesh()).name).toBe('torus.ply');
   await heatwalk.rest();
   expect(await page.evaluate(() => window.heatwalk.camera)).toEqual(turned);
@@ -180,7 +177,7 @@ for (const [end, sentence] of [
 ] as const) {
   const title = `${end} after the first picture brings back the former scene, with what was changed behind it`;
   test(title, { tag: '@page' }, async ({ heatwalk, page }) => {
-    await holdFirstAnswers(page);
+    const tell = await holdFirstAnswers(page);
     await heatwalk.open('#v=1&m=teapot&refine=0&show=edges');
     await page.mouse.click(...(await heatwalk.pixelOnModel()));
     await heatwalk.settled();
@@ -195,7 +192,7 @@ for (const [end, sentence] of [
     expect(difference(picture, await heatwalk.screen())).toBeGreaterThan(0.1);
 
     if (sentence) {
-      await tell(page, 'refuse');
+      await tell('refuse');
       await expect(page.getByRole('alert')).toContainText(sentence);
     } else {
       await page.getByRole('button', { name: 'Cancel' }).click();

@@ -2,6 +2,7 @@
 import type { Page } from '@playwright/test';
 import { grid, off, sphere } from '../fixtures';
 import { difference, expect, type HeatwalkPage, test } from '../page';
+import { runInWorkers } from '../worker';
 
 const N = 24;
 const GRID = off(grid(N));
@@ -163,17 +164,16 @@ test('a query that traps every solver is sent only twice', async ({ heatwalk, pa
   page.on('console', (message) => {
     if (message.text() === 'three sources') sent += 1;
   });
-  await page.route(/entry.*\.js$/, async (route) => {
-    const response = await route.fetch();
-    const ends = `addEventListener('message', (event) => {
+  await runInWorkers(
+    page,
+    `addEventListener('message', (event) => {
       const { path, argumentList } = event.data;
       if (path?.[0] !== 'solve' || argumentList[0].value.length !== 3) return;
       event.stopImmediatePropagation();
       console.info('three sources');
       throw new Error('three');
-    });`;
-    await route.fulfill({ response, body: ends + (await response.text()) });
-  });
+    });`,
+  );
   await openGrid(heatwalk);
   const before = await distances(heatwalk);
   await page.keyboard.press('Shift+Enter');
@@ -196,9 +196,9 @@ async function refuseToRefine(page: Page, name: string, message: string): Promis
   page.on('console', (told) => {
     if (told.text() === 'a second step') asked += 1;
   });
-  await page.route(/entry.*\.js$/, async (route) => {
-    const response = await route.fetch();
-    const refuses = `let steps = 0;
+  await runInWorkers(
+    page,
+    `let steps = 0;
       addEventListener('message', (event) => {
         const { id, path } = event.data;
         if (path?.[0] !== 'refine' || ++steps === 1) return;
@@ -206,9 +206,8 @@ async function refuseToRefine(page: Page, name: string, message: string): Promis
         console.info('a second step');
         const value = { isError: true, value: { name: '${name}', message: '${message}', stack: '' } };
         postMessage({ id, type: 'HANDLER', name: 'throw', value });
-      });`;
-    await route.fulfill({ response, body: refuses + (await response.text()) });
-  });
+      });`,
+  );
   return () => asked;
 }
 
