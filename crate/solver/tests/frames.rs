@@ -243,6 +243,11 @@ fn a_cone_of_lengths_alone_turns_what_goes_around_its_tip_by_its_defect() {
             Frames::new(IntrinsicTriangulation::new(&faces, &lengths, &twins).expect("a cone")).expect("one fan");
         let whole = f64::from(count) * apex;
         assert!((frames.angle_sum(VertexId(0)) - whole).abs() < ROUNDING);
+        // What points between two sides at the tip does so in their face.
+        let mut vectors = vec![c64::new(0.0, 0.0); count as usize + 1];
+        vectors[0] = c64::cis(0.5 * TAU / f64::from(count));
+        let [x, y] = frames.in_faces(&vectors)[0];
+        assert!((3.0 * c64::new(x, y) - c64::cis(0.5 * apex)).magnitude() < ROUNDING);
         let rim = (0..count).map(|k| frames.transport(HalfedgeId(3 * k + 1)));
         let turned = rim.fold(c64::new(1.0, 0.0), |product, transport| product * transport);
         assert!((turned - c64::cis(TAU - whole)).magnitude() < ROUNDING, "{turned}");
