@@ -27,6 +27,22 @@ pub enum Error {
         /// The range allowed.
         range: &'static str,
     },
+    /// A side of an intrinsic triangle is glued to one that does not fit.
+    #[error(
+        "side {side} is not glued to another one that is glued back, runs between the same vertices the other way and is as long"
+    )]
+    BadGlue {
+        /// The side, `3 f + k` for side `k` of face `f`.
+        side: usize,
+    },
+    /// A vertex has no tangent plane.
+    #[error(
+        "the triangles at vertex {vertex} are not one fan in a sheet of its own, so it has no tangent plane; take a vertex for each fan"
+    )]
+    NoTangentPlane {
+        /// The vertex.
+        vertex: usize,
+    },
     /// A name that is none of the choices.
     #[error(transparent)]
     UnknownChoice(#[from] UnknownChoice),
@@ -131,6 +147,8 @@ impl Error {
             Self::Surface(error) => error.code(),
             Self::NoSource => "no-source",
             Self::BadParameter { .. } => "bad-parameter",
+            Self::BadGlue { .. } => "bad-glue",
+            Self::NoTangentPlane { .. } => "no-tangent-plane",
             Self::UnknownChoice(_) => "unknown-choice",
             Self::NotPositiveDefinite { .. } => "not-positive-definite",
             Self::NotConverged { .. } => "not-converged",

@@ -42,11 +42,11 @@
 //!
 //! [`HeatFlow`](heat::HeatFlow) and [`Poisson`](heat::Poisson) take any right side and any constraints, and
 //! [`Operators`](operator::Operators) have gradient and divergence of any field, so that related methods are compositions;
-//! `tests/composition.rs` has one of each. An *anisotropic* metric is its edge lengths
+//! `tests/composition.rs` has one of each. *Transport* of vectors between the tangent planes of [`Frames`](operator::Frames) is a
+//! step of diffusion by the [`ConnectionLaplacian`](operator::ConnectionLaplacian), a complex matrix of the same pattern. *Signed
+//! distance* lets the normals of a curve flow so, then solves Poisson for their directions. An *anisotropic* metric is its edge lengths
 //! ([`Operators::from_lengths`](operator::Operators::from_lengths)); exact distances and paths still measure positions, so
-//! such a distance has no exact region. *Signed distance* lets the normals of a curve flow, then solves Poisson for their
-//! directions. *Transport* of vectors needs the connection Laplacian, a complex matrix of the same pattern that
-//! [`sparse`] factors; it would stand beside `HeatFlow`. Systems, flow and Poisson see matrices only: any
+//! such a distance has no exact region. Systems, flow and Poisson see matrices only: any
 //! [`Discretization`](operator::Discretization) will do. The whole method, [`HeatMethod`](heat::HeatMethod), takes any
 //! [`HeatDiscretization`](heat::HeatDiscretization), as that of tetrahedra in the crate `heatwalk-volume` is.
 

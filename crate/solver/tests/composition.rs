@@ -1,14 +1,19 @@
-//! Operators, heat flow and Poisson put together anew: signed distance, weighted and anisotropic metrics, which the crate
-//! itself does not offer.
+//! Operators, frames, heat flow and Poisson put together anew: signed distance, transport of vectors, weighted and anisotropic
+//! metrics, which the crate itself does not offer.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use crate::common::{nearest, square, surface};
-use glam::{DVec2, DVec3};
+use crate::common::{nearest, soup, square, surface};
+use glam::{DQuat, DVec2, DVec3};
 use heatwalk::heat::{Condition, Constraint, HeatFlow, Poisson, Systems};
-use heatwalk::operator::Operators;
-use heatwalk::{Element, Error, FaceId, LinearSolver, Operator, Surface, VertexData, VertexId, go_on};
+use heatwalk::operator::intrinsic::IntrinsicTriangulation;
+use heatwalk::operator::{ConnectionLaplacian, Frames, Operators, TangentPlane};
+use heatwalk::sparse::{Scalar, System, c64};
+use heatwalk::{
+    Element, Error, FaceId, HalfedgeId, LinearSolver, Operator, Soup, Surface, VertexData, VertexId, go_on,
+};
+use heatwalk_shapes::icosphere;
 
 fn systems(operators: Operators) -> Arc<Systems> {
     Systems::new(operators, LinearSolver::Cholesky, &mut go_on).expect("an order")
@@ -78,41 +83,191 @@ fn an_anisotropic_metric_gives_stretched_distance() {
     assert_distance_follows(stretched, DVec3::new(0.4, 0.5, 0.0));
 }
 
-#[test]
-fn diffused_normals_of_a_curve_give_signed_distance() {
-    // Feng and Crane, "A heat method for generalized signed distance" (2024), on a plane, where transport keeps components.
-    let surface = surface(&square(64));
-    let systems = systems(Operators::new(&surface, Operator::Plain));
-    let operators = systems.operators();
-    let (center, radius) = (DVec3::new(0.5, 0.5, 0.0), 0.3);
-    let mut normals = [vec![0.0; surface.vertex_count()], vec![0.0; surface.vertex_count()]];
-    let steps = 720;
-    for step in 0..steps {
-        let angle = TAU * f64::from(step) / f64::from(steps);
-        let normal = DVec3::new(angle.cos(), angle.sin(), 0.0);
-        let vertex = nearest(&surface, center + radius * normal).0 as usize;
-        normals[0][vertex] += normal.x;
-        normals[1][vertex] += normal.y;
+/// Tangent vectors of a surface on its intrinsic Delaunay triangles, with one step of their diffusion.
+struct Vectors {
+    surface: Surface,
+    frames: Frames,
+    planes: Vec<TangentPlane>,
+    systems: Arc<Systems>,
+    diffusion: System<c64>,
+}
+
+impl Vectors {
+    fn new(soup: &Soup) -> Self {
+        let surface = surface(soup);
+        let mut frames = Frames::new(IntrinsicTriangulation::of_surface(&surface)).expect("a fan at each vertex");
+        frames.flip_to_delaunay();
+        let (systems, diffusion) = diffusion(&frames);
+        let planes = frames.in_space(&surface);
+        Self { surface, frames, planes, systems, diffusion }
     }
-    let flow = HeatFlow::new(&systems, operators.mean_edge().powi(2), Condition::Neumann, &mut go_on).expect("factors");
-    let [x, y] = normals.map(|supply| flow.solve(&supply).expect("a component"));
-    let field: Vec<[f64; 2]> = (0..operators.triangle_count())
-        .map(|triangle| {
-            let corners = operators.corners(triangle);
-            let [a, b, _] = surface.corners(FaceId(triangle as u32));
-            let sum = |component: &[f64]| corners.iter().map(|vertex| component[vertex.0 as usize]).sum::<f64>();
-            let normal = DVec2::new(sum(&x), sum(&y)).normalize_or_zero();
-            // Into the triangle's own coordinates.
-            let along = (b - a).truncate().normalize();
-            [along.dot(normal), along.perp_dot(normal)]
-        })
-        .collect();
-    let on_curve = nearest(&surface, center + DVec3::new(radius, 0.0, 0.0));
-    let signed = |position: DVec3| position.distance(center) - radius;
-    let constraint = Constraint::at_vertex(on_curve, signed(surface.position(on_curve)));
-    let poisson = Poisson::new(&systems, &mut go_on).expect("factors");
-    let values = poisson.solve(&operators.divergence(&field), &[constraint]).expect("signed distance");
-    assert_near(&surface, &values, signed, 0.05);
+
+    /// A vector at a vertex, carried to all (`#V × 3`, unit length): Sharp, Soliman, Crane, "The vector heat method" (2019).
+    fn transported(&self, source: VertexId, vector: DVec3) -> Vec<DVec3> {
+        let mut supply = vec![c64::new(0.0, 0.0); self.planes.len()];
+        supply[source.index()] = self.planes[source.index()].number(vector);
+        let carried = self.diffusion.solve(&supply).expect("vectors");
+        let in_space = |(plane, &number): (&TangentPlane, &c64)| plane.vector(number / number.magnitude());
+        self.planes.iter().zip(&carried).map(in_space).collect()
+    }
+
+    /// Distance (`#V`) to a curve of such places, positive where their normals point: Feng and Crane, "A heat method for
+    /// generalized signed distance" (2024).
+    fn signed_distance(&self, curve: &[(DVec3, DVec3)]) -> Vec<f64> {
+        let mut supply = vec![c64::new(0.0, 0.0); self.planes.len()];
+        let on_curve: Vec<VertexId> = curve.iter().map(|&(place, _)| nearest(&self.surface, place)).collect();
+        for (vertex, &(_, normal)) in on_curve.iter().zip(curve) {
+            supply[vertex.index()] += self.planes[vertex.index()].number(normal);
+        }
+        let diffused = self.diffusion.solve(&supply).expect("normals");
+        let unit = |vector: [f64; 2]| DVec2::from(vector).try_normalize().expect("normals everywhere").to_array();
+        let field: Vec<[f64; 2]> = self.frames.in_faces(&diffused).into_iter().map(unit).collect();
+        let poisson = Poisson::new(&self.systems, &mut go_on).expect("factors");
+        let share = 1.0 / curve.len() as f64;
+        let mean = Constraint::new(on_curve.into_iter().map(|vertex| (vertex, share)), 0.0);
+        poisson.solve(&self.systems.operators().divergence(&field), &[mean]).expect("signed distance")
+    }
+}
+
+/// The order and analysis of the real systems serve that of vectors too.
+fn diffusion(frames: &Frames) -> (Arc<Systems>, System<c64>) {
+    let systems = systems(Operators::of_triangulation(frames.triangulation()));
+    let operators = systems.operators();
+    let matrix = ConnectionLaplacian::new(frames, operators).heat_matrix(operators.mean_edge().powi(2));
+    assert_eq!(matrix.pattern(), operators.laplacian().stiffness.pattern());
+    let diffusion = systems.system_of(matrix, &mut go_on).expect("positive definite");
+    (systems, diffusion)
+}
+
+/// No direction that the triangles of an icosphere prefer.
+const AXIS: DVec3 = DVec3::new(0.36, 0.48, 0.8);
+
+/// On the unit sphere, the points at an angle from [`AXIS`], with the normals away from it.
+fn circle_of_latitude(angle: f64) -> Vec<(DVec3, DVec3)> {
+    let x = AXIS.any_orthonormal_vector();
+    let (sin, cos) = angle.sin_cos();
+    let steps = 1440;
+    let at = |step: u32| {
+        let out = DQuat::from_axis_angle(AXIS, TAU * f64::from(step) / f64::from(steps)) * x;
+        (cos * AXIS + sin * out, cos * out - sin * AXIS)
+    };
+    (0..steps).map(at).collect()
+}
+
+/// On a part of the unit sphere, where distance to that circle is along meridians.
+fn assert_signed_distance_to_a_circle(soup: &Soup, angle: f64) {
+    let vectors = Vectors::new(soup);
+    let values = vectors.signed_distance(&circle_of_latitude(angle));
+    let exact = |position: DVec3| position.angle_between(AXIS) - angle;
+    // A third of a side of the triangles, of 0.035, by the largest distance of 2.
+    assert_near(&vectors.surface, &values, exact, 0.005);
+    for (value, &position) in values.iter().zip(vectors.surface.positions()) {
+        assert!(value * exact(position) > 0.0 || exact(position).abs() < 0.012, "the sign at {position}");
+    }
+}
+
+#[test]
+fn diffused_normals_of_a_circle_of_latitude_give_signed_distance_on_a_sphere() {
+    assert_signed_distance_to_a_circle(&icosphere(5), 1.0);
+}
+
+#[test]
+fn diffused_normals_of_a_circle_of_latitude_give_signed_distance_on_a_part_of_a_sphere() {
+    let mut cap = icosphere(5);
+    let is_inside = |vertex: u32| cap.positions[vertex as usize].dot(AXIS) > -0.2;
+    let kept: Vec<[u32; 3]> =
+        cap.triangles.iter().copied().filter(|corners| corners.iter().all(|&v| is_inside(v))).collect();
+    cap = soup(cap.positions, kept);
+    assert_signed_distance_to_a_circle(&cap, 0.9);
+}
+
+#[test]
+fn diffused_vectors_are_parallel_along_great_circles() {
+    let vectors = Vectors::new(&icosphere(5));
+    let surface = &vectors.surface;
+    let source = nearest(surface, AXIS);
+    let start = surface.position(source);
+    let vector = start.any_orthonormal_vector();
+    let carried = vectors.transported(source, vector);
+    let mut sum = 0.0;
+    for (vertex, carried) in surface.vertices().zip(&carried) {
+        let end = surface.position(vertex);
+        let error = carried.angle_between(DQuat::from_rotation_arc(start, end) * vector);
+        // A vector turns by the area between its way and a great circle, and heat of so short a time prefers ways along edges.
+        // Near the antipode great circles from all sides meet.
+        assert!(error < 0.03 || start.angle_between(end) > PI - 0.3, "{error} at {end}");
+        sum += error;
+    }
+    let mean = sum / carried.len() as f64;
+    assert!(mean < 0.004, "{mean}");
+}
+
+#[test]
+fn vectors_carried_around_a_cone_to_both_sides_differ_by_its_angle() {
+    // Nearly square quads on a cone without its tip, which is flat. Places on it, and directions out and around.
+    let (segments, rows, slope) = (90, 40, 0.5_f64);
+    let angle = |position: DVec3| position.y.atan2(position.x);
+    let out = |angle: f64| DVec3::new(slope.sin() * angle.cos(), slope.sin() * angle.sin(), -slope.cos());
+    let around = |angle: f64| DVec3::new(-angle.sin(), angle.cos(), 0.0);
+    let places = (0..segments * (rows + 1)).map(|index: u32| {
+        let along = 0.5 + f64::from(index % (rows + 1)) / f64::from(rows);
+        along * out(TAU * f64::from(index / (rows + 1)) / f64::from(segments))
+    });
+    let vertex = |segment: u32, row: u32| segment % segments * (rows + 1) + row;
+    let quads = (0..segments).flat_map(|segment| (0..rows).map(move |row| (segment, row)));
+    let triangles = quads.flat_map(|(i, j)| {
+        let [a, b, c, d] = [vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j)];
+        [[a, b, c], [a, c, d]]
+    });
+    let cone = soup(places.collect(), triangles.collect());
+    let vectors = Vectors::new(&cone);
+    let surface = &vectors.surface;
+    let source = nearest(surface, out(0.0));
+    let carried = vectors.transported(source, out(0.0));
+    // Of one segment, laid out in the plane.
+    let segment = 2.0 * ((PI / f64::from(segments)).sin() * slope.sin()).asin();
+    for (&position, carried) in surface.positions().iter().zip(carried) {
+        let angle = angle(position);
+        let laid_out = angle / TAU * f64::from(segments) * segment;
+        let wanted = laid_out.cos() * out(angle) - laid_out.sin() * around(angle);
+        // Behind the cone vectors from both sides meet.
+        let is_behind = angle.abs() > PI - 0.4;
+        assert!(is_behind || carried.angle_between(wanted) < 0.02, "{carried} instead of {wanted}");
+    }
+}
+
+/// The same triangles, the last first.
+fn relisted(triangulation: &IntrinsicTriangulation) -> IntrinsicTriangulation {
+    let faces = triangulation.face_count() as u32;
+    let sides = |face: u32| [0, 1, 2].map(|k| HalfedgeId(3 * face + k));
+    let moved = |side: HalfedgeId| HalfedgeId(3 * (faces - 1 - side.0 / 3) + side.0 % 3);
+    let listed = || (0..faces).rev().map(sides);
+    let corners: Vec<_> = listed().map(|sides| sides.map(|side| triangulation.ends(side)[0])).collect();
+    let lengths: Vec<_> = listed().map(|sides| sides.map(|side| triangulation.length(side))).collect();
+    let twins: Vec<_> = listed().map(|sides| sides.map(|side| triangulation.twin(side).map(moved))).collect();
+    IntrinsicTriangulation::new(&corners, &lengths, &twins).expect("the same triangles")
+}
+
+#[test]
+fn another_reference_at_each_vertex_gives_the_same_vectors() {
+    let triangulation = IntrinsicTriangulation::of_surface(&surface(&icosphere(3)));
+    let last = 3 * triangulation.face_count() as u32 - 3;
+    let answer = |triangulation: &IntrinsicTriangulation, side: HalfedgeId| {
+        let frames = Frames::new(triangulation.clone()).expect("a fan at each vertex");
+        let (_, diffusion) = diffusion(&frames);
+        let mut supply = vec![c64::new(0.0, 0.0); frames.vertex_count()];
+        supply[frames.triangulation().ends(side)[0].index()] = frames.direction(side);
+        let carried = diffusion.solve(&supply).expect("vectors");
+        (frames.in_faces(&carried), carried)
+    };
+    let (field, carried) = answer(&triangulation, HalfedgeId(0));
+    let (other_field, other_carried) = answer(&relisted(&triangulation), HalfedgeId(last));
+    let turned = carried.iter().zip(&other_carried).filter(|&(a, b)| (a - b).magnitude() > 0.1 * a.magnitude());
+    assert!(turned.count() > carried.len() / 2, "else the references are the same");
+    for (vector, other) in field.iter().zip(other_field.iter().rev()).map(|(&a, &b)| (DVec2::from(a), DVec2::from(b))) {
+        // Rounding, in units that hold for small vectors too.
+        assert!((vector - other).length() < 1e-9 * vector.length(), "{vector} and {other}");
+    }
 }
 
 #[test]

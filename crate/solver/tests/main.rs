@@ -12,6 +12,7 @@ mod defects;
 mod enclosed;
 mod exact;
 mod foreign;
+mod frames;
 mod gradient;
 mod invariants;
 mod junctions;

@@ -7,6 +7,7 @@
 use crate::error::{Error, Result};
 use crate::matrix::SymmetricMatrix;
 use crate::multigrid::Multigrid;
+use crate::scalar::Scalar;
 use crate::simd::dot;
 
 /// The residual at which it stops, as a share of the right side.
@@ -15,15 +16,15 @@ const TOLERANCE: f64 = 1e-12;
 /// Steps that it takes at most: tens are enough on any mesh but one that it will not solve at all.
 const MOST_STEPS: usize = 2000;
 
-/// A symmetric positive definite matrix, to be solved by conjugate gradients.
+/// A positive definite matrix, symmetric or Hermitian, to be solved by conjugate gradients.
 #[derive(Debug)]
-pub struct ConjugateGradients {
-    multigrid: Multigrid,
+pub struct ConjugateGradients<T: Scalar = f64> {
+    multigrid: Multigrid<T>,
 }
 
-impl ConjugateGradients {
+impl<T: Scalar> ConjugateGradients<T> {
     /// A matrix with its coarser grids.
-    pub fn new(matrix: SymmetricMatrix) -> Self {
+    pub fn new(matrix: SymmetricMatrix<T>) -> Self {
         Self { multigrid: Multigrid::new(matrix) }
     }
 
@@ -36,7 +37,7 @@ impl ConjugateGradients {
     ///
     /// # Errors
     /// [`Error::NotConverged`]; [`Error::Breakdown`].
-    pub fn solve(&self, right: &[f64]) -> Result<Vec<f64>> {
+    pub fn solve(&self, right: &[T]) -> Result<Vec<T>> {
         self.solve_recording(right).map(|(solution, _)| solution)
     }
 
@@ -45,40 +46,40 @@ impl ConjugateGradients {
     ///
     /// # Errors
     /// [`Error::NotConverged`]; [`Error::Breakdown`].
-    pub fn solve_recording(&self, right: &[f64]) -> Result<(Vec<f64>, Vec<f64>)> {
+    pub fn solve_recording(&self, right: &[T]) -> Result<(Vec<T>, Vec<f64>)> {
         let size = right.len();
         // Heat comes near the largest float, whose square would overflow.
-        let scale = right.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        let scale = right.iter().fold(0.0_f64, |largest, value| largest.max(value.magnitude()));
         if scale == 0.0 {
-            return Ok((vec![0.0; size], vec![0.0]));
+            return Ok((vec![T::ZERO; size], vec![0.0]));
         }
-        let mut residual: Vec<f64> = right.iter().map(|value| value / scale).collect();
-        let whole = dot(&residual, &residual).sqrt();
+        let mut residual: Vec<T> = right.iter().map(|value| value.divide(scale)).collect();
+        let whole = dot(&residual, &residual).real().sqrt();
         let mut residuals = Vec::new();
         let mut scratch = self.multigrid.scratch();
-        let mut solution = vec![0.0; size];
-        let mut guess = vec![0.0; size];
-        let mut direction = vec![0.0; size];
-        let mut image = vec![0.0; size];
+        let mut solution = vec![T::ZERO; size];
+        let mut guess = vec![T::ZERO; size];
+        let mut direction = vec![T::ZERO; size];
+        let mut image = vec![T::ZERO; size];
         // Of the last direction with its image; none at first.
         let mut curvature = f64::INFINITY;
         // In exact arithmetic as many steps as unknowns are enough; rounding may take a few times more.
         let most = (10 * size + 100).min(MOST_STEPS);
         for iterations in 0..most {
-            let share = dot(&residual, &residual).sqrt() / whole;
+            let share = dot(&residual, &residual).real().sqrt() / whole;
             residuals.push(share);
             if share <= TOLERANCE {
-                return Ok((solution.into_iter().map(|value| value * scale).collect(), residuals));
+                return Ok((solution.into_iter().map(|value| value.scale(scale)).collect(), residuals));
             }
             self.multigrid.precondition(&residual, &mut guess, &mut scratch);
-            let share = dot(&guess, &image) / curvature;
-            for (direction, guess) in direction.iter_mut().zip(&guess) {
+            let share = dot(&image, &guess).divide(curvature);
+            for (direction, &guess) in direction.iter_mut().zip(&guess) {
                 *direction = guess - share * *direction;
             }
             self.multigrid.multiply(&direction, &mut image);
-            curvature = dot(&direction, &image);
-            let step = dot(&guess, &residual) / curvature;
-            if !step.is_finite() {
+            curvature = dot(&direction, &image).real();
+            let step = dot(&guess, &residual).divide(curvature);
+            if !step.magnitude().is_finite() {
                 return Err(Error::Breakdown { iterations });
             }
             for row in 0..size {

@@ -156,9 +156,9 @@ impl Factor {
     }
 }
 
-impl<E: Entry<f64>> Factor<f64, E> {
+impl<T: Scalar, E: Entry<T>> Factor<T, E> {
     /// `C⁻¹ right` for several such right sides, each kept where it is not zero.
-    pub(crate) fn forward_sparse_all(&self, rights: &[&[(u32, f64)]]) -> Vec<SparseVector> {
+    pub(crate) fn forward_sparse_all(&self, rights: &[&[(u32, T)]]) -> Vec<SparseVector<T>> {
         rights.chunks(LANES).flat_map(|rights| dispatch(ForwardSparse { factor: self, rights })).collect()
     }
 }
@@ -203,18 +203,18 @@ impl<T: Scalar, E: Entry<T>> Work for Backward<'_, T, E> {
 }
 
 /// `C⁻¹ right` for up to [`LANES`] sparse right sides: each block of the factor is read once for all.
-struct ForwardSparse<'a, E> {
-    factor: &'a Factor<f64, E>,
-    rights: &'a [&'a [(u32, f64)]],
+struct ForwardSparse<'a, T, E> {
+    factor: &'a Factor<T, E>,
+    rights: &'a [&'a [(u32, T)]],
 }
 
-impl<E: Entry<f64>> Work for ForwardSparse<'_, E> {
-    type Output = Vec<SparseVector>;
+impl<T: Scalar, E: Entry<T>> Work for ForwardSparse<'_, T, E> {
+    type Output = Vec<SparseVector<T>>;
 
     #[inline(always)]
-    fn run<const FUSED: bool>(self) -> Vec<SparseVector> {
+    fn run<const FUSED: bool>(self) -> Vec<SparseVector<T>> {
         let Self { factor, rights } = self;
-        let mut x = vec![[0.0; LANES]; factor.symbolic.size()];
+        let mut x = vec![[T::ZERO; LANES]; factor.symbolic.size()];
         // Every supernode that is touched, with the right sides that touch it.
         let mut touched: Vec<(u32, u32)> = Vec::new();
         for (lane, right) in rights.iter().enumerate() {
@@ -228,7 +228,7 @@ impl<E: Entry<f64>> Work for ForwardSparse<'_, E> {
         let mut change = Vec::new();
         for lanes in touched.chunk_by(|a, b| a.0 == b.0) {
             let (supernode, block) = factor.block(lanes[0].0 as usize);
-            substitution::forward_lanes::<f64, E, LANES, FUSED>(&supernode, block, &mut x, &mut change);
+            substitution::forward_lanes::<T, E, LANES, FUSED>(&supernode, block, &mut x, &mut change);
             let own = &x[supernode.start..supernode.start + supernode.width];
             for &(_, lane) in lanes {
                 vectors[lane as usize].push(supernode.start, own.iter().map(|values| values[lane as usize]));

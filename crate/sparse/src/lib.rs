@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod complex;
 mod conjugate_gradients;
 mod dissection;
 mod error;
@@ -23,6 +24,9 @@ mod substitution;
 mod symbolic;
 mod system;
 
+/// A complex number of two doubles.
+pub use faer::c64;
+
 pub use conjugate_gradients::ConjugateGradients;
 pub use error::{Error, Result};
 pub use factor::Factor;
@@ -30,7 +34,7 @@ pub use matrix::SymmetricMatrix;
 pub use ordering::Permutation;
 pub use pattern::Pattern;
 pub use progress::{Progress, Stage, go_on, report};
-pub use scalar::{Entry, Pair, Scalar};
+pub use scalar::{Entry, Pair, Scalar, Turn};
 pub use schur::{Functional, SchurColumn, SchurComplement, evaluate};
 pub use schur_cache::SchurCache;
 pub use symbolic::{FactorMemory, Symbolic};

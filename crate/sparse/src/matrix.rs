@@ -1,12 +1,14 @@
-//! Symmetric matrices.
+//! Symmetric and Hermitian matrices.
 
 use std::ops::Index;
 use std::sync::Arc;
 
 use crate::error::{Error, Result};
 use crate::pattern::Pattern;
+use crate::scalar::Scalar;
 
-/// A symmetric matrix: the values of its lower triangle, one for each entry of its pattern.
+/// A symmetric matrix, Hermitian where numbers are complex: the values of its lower triangle, one for each entry of its
+/// pattern.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SymmetricMatrix<T = f64> {
     pattern: Arc<Pattern>,
@@ -55,14 +57,14 @@ impl<T> Index<usize> for SymmetricMatrix<T> {
     }
 }
 
-impl SymmetricMatrix {
+impl<T: Scalar> SymmetricMatrix<T> {
     /// The matrix of this diagonal (`#rows`) and these entries below it: those of each column in `entries` from
     /// `column_start[column]` on to the next column's, as `(row, value)` in any order, which is not kept. Entries of one
     /// place are added up.
     ///
     /// # Panics
     /// Where a row is not below the diagonal or not in the matrix, or `column_start` (`#rows + 1`) does not fit.
-    pub fn from_entries(diagonal: &[f64], column_start: &[u32], entries: &mut [(u32, f64)]) -> Self {
+    pub fn from_entries(diagonal: &[T], column_start: &[u32], entries: &mut [(u32, T)]) -> Self {
         let size = diagonal.len();
         assert_eq!(column_start.len(), size + 1, "one start for each column, and the end");
         // Meshes have two entries for each edge, but at boundaries.
@@ -91,16 +93,16 @@ impl SymmetricMatrix {
     ///
     /// # Panics
     /// Where `vector` or `result` has not [`SymmetricMatrix::size`] numbers.
-    pub fn multiply_add(&self, vector: &[f64], result: &mut [f64]) {
+    pub fn multiply_add(&self, vector: &[T], result: &mut [T]) {
         assert_eq!([vector.len(), result.len()], [self.size(); 2], "vectors have the size of the matrix");
         for column in 0..self.size() {
             let mut entries = self.pattern.column(column);
             let own = vector[column];
-            let mut sum = entries.next().map_or(0.0, |entry| self.values[entry] * own);
+            let mut sum = entries.next().map_or(T::ZERO, |entry| self.values[entry] * own);
             for entry in entries {
                 let row = self.pattern.rows()[entry] as usize;
                 result[row] += self.values[entry] * own;
-                sum += self.values[entry] * vector[row];
+                sum += self.values[entry].conj() * vector[row];
             }
             result[column] += sum;
         }

@@ -10,49 +10,52 @@ mod tests;
 
 use crate::matrix::SymmetricMatrix;
 use crate::pattern::NONE;
+use crate::scalar::{Scalar, Turn};
 use crate::simd::dot;
 use aggregation::{Coarse, coarsen};
 
 /// Least share of the second of two directions that is not along the first. Rounding of the sums before is some 1e-15.
 const DEPENDENT: f64 = 1e-11;
 
-/// A symmetric positive definite matrix with its coarser grids.
+/// A positive definite matrix, symmetric or Hermitian, with its coarser grids.
 #[derive(Debug)]
-pub(crate) struct Multigrid {
+pub(crate) struct Multigrid<T: Scalar> {
     /// The matrix itself first.
-    grids: Vec<Grid>,
+    grids: Vec<Grid<T>>,
 }
 
 #[derive(Debug)]
-struct Grid {
-    matrix: SymmetricMatrix,
+struct Grid<T: Scalar> {
+    matrix: SymmetricMatrix<T>,
     /// Of the diagonal entries: each row waits for the one before, and a division would be most of that.
     inverse: Vec<f64>,
     /// Row of the next grid that each row is part of; [`NONE`] where it is in none, empty on the last grid.
     aggregates: Vec<u32>,
+    /// From the value of that row to the value of each.
+    turns: Vec<T::Turn>,
 }
 
 /// Memory for the cycle on one grid: vectors of its size, of which the finest grid needs the first only.
 #[derive(Debug)]
-pub(crate) struct Scratch {
-    rest: Vec<f64>,
-    right: Vec<f64>,
-    solution: Vec<f64>,
-    image: Vec<f64>,
-    second: Vec<f64>,
+pub(crate) struct Scratch<T> {
+    rest: Vec<T>,
+    right: Vec<T>,
+    solution: Vec<T>,
+    image: Vec<T>,
+    second: Vec<T>,
 }
 
-impl Multigrid {
+impl<T: Scalar> Multigrid<T> {
     /// Makes the coarser grids, which have about a third of the matrix's entries together.
-    pub(crate) fn new(matrix: SymmetricMatrix) -> Self {
+    pub(crate) fn new(matrix: SymmetricMatrix<T>) -> Self {
         let mut grids = vec![Grid::new(matrix)];
         loop {
             let last = grids.last_mut().expect("there is always one");
-            let Coarse { aggregates, matrix } = coarsen(&last.matrix);
+            let Coarse { aggregates, turns, matrix } = coarsen(&last.matrix);
             if matrix.size() == 0 {
                 return Self { grids };
             }
-            last.aggregates = aggregates;
+            (last.aggregates, last.turns) = (aggregates, turns);
             grids.push(Grid::new(matrix));
         }
     }
@@ -63,42 +66,48 @@ impl Multigrid {
     }
 
     /// `result = A vector`.
-    pub(crate) fn multiply(&self, vector: &[f64], result: &mut [f64]) {
+    pub(crate) fn multiply(&self, vector: &[T], result: &mut [T]) {
         self.grids[0].multiply(vector, result);
     }
 
     /// Memory for [`Multigrid::precondition`].
-    pub(crate) fn scratch(&self) -> Vec<Scratch> {
-        let of_grid = |(index, grid): (usize, &Grid)| {
+    pub(crate) fn scratch(&self) -> Vec<Scratch<T>> {
+        let of_grid = |(index, grid): (usize, &Grid<T>)| {
             let size = grid.matrix.size();
-            let coarse = || vec![0.0; if index > 0 { size } else { 0 }];
-            Scratch { rest: vec![0.0; size], right: coarse(), solution: coarse(), image: coarse(), second: coarse() }
+            let coarse = || vec![T::ZERO; if index > 0 { size } else { 0 }];
+            Scratch {
+                rest: vec![T::ZERO; size],
+                right: coarse(),
+                solution: coarse(),
+                image: coarse(),
+                second: coarse(),
+            }
         };
         self.grids.iter().enumerate().map(of_grid).collect()
     }
 
     /// Writes an approximation of `A⁻¹ right` to `solution`. It is not linear in `right`.
-    pub(crate) fn precondition(&self, right: &[f64], solution: &mut [f64], scratch: &mut [Scratch]) {
+    pub(crate) fn precondition(&self, right: &[T], solution: &mut [T], scratch: &mut [Scratch<T>]) {
         cycle(&self.grids, right, solution, scratch);
     }
 }
 
 /// Smooths, corrects by the next grid, smooths again.
-fn cycle(grids: &[Grid], right: &[f64], solution: &mut [f64], scratch: &mut [Scratch]) {
+fn cycle<T: Scalar>(grids: &[Grid<T>], right: &[T], solution: &mut [T], scratch: &mut [Scratch<T>]) {
     let [grid, coarser @ ..] = grids else { return };
     let [Scratch { rest, .. }, scratch @ ..] = scratch else { return };
     grid.smooth_up(right, solution, rest);
     if !coarser.is_empty() {
-        scratch[0].right.fill(0.0);
-        for (&aggregate, rest) in grid.aggregates.iter().zip(&*rest) {
+        scratch[0].right.fill(T::ZERO);
+        for ((&aggregate, turn), &rest) in grid.aggregates.iter().zip(&grid.turns).zip(&*rest) {
             if aggregate != NONE {
-                scratch[0].right[aggregate as usize] += rest;
+                scratch[0].right[aggregate as usize] += turn.revert(rest);
             }
         }
         correct(coarser, scratch);
-        for (&aggregate, value) in grid.aggregates.iter().zip(&mut *solution) {
+        for ((&aggregate, turn), value) in grid.aggregates.iter().zip(&grid.turns).zip(&mut *solution) {
             if aggregate != NONE {
-                *value += scratch[0].solution[aggregate as usize];
+                *value += turn.apply(scratch[0].solution[aggregate as usize]);
             }
         }
     }
@@ -108,35 +117,35 @@ fn cycle(grids: &[Grid], right: &[f64], solution: &mut [f64], scratch: &mut [Scr
 /// Solves roughly for the right side of the first of these grids, by two steps of conjugate gradients. Notay leaves the
 /// second out where the first did well; then the preconditioner is another one from step to step, and on obtuse
 /// triangles the steps outside become several times as many.
-fn correct(grids: &[Grid], scratch: &mut [Scratch]) {
+fn correct<T: Scalar>(grids: &[Grid<T>], scratch: &mut [Scratch<T>]) {
     visit(grids, scratch, |scratch| &mut scratch.solution);
     let Scratch { right, solution, image, .. } = &mut scratch[0];
     grids[0].multiply(solution, image);
-    let energy = dot(solution, image);
+    let energy = dot(solution, image).real();
     if energy <= 0.0 {
         return;
     }
-    let mut step = dot(solution, right) / energy;
-    for (right, image) in right.iter_mut().zip(&*image) {
+    let mut step = dot(solution, right).divide(energy);
+    for (right, &image) in right.iter_mut().zip(&*image) {
         *right -= step * image;
     }
     visit(grids, scratch, |scratch| &mut scratch.second);
     let Scratch { rest, right, solution, image, second } = &mut scratch[0];
     grids[0].multiply(second, rest);
-    let (shared, whole) = (dot(second, image), dot(second, rest));
-    let own = whole - shared * shared / energy;
-    let mut second_step = 0.0;
+    let (shared, whole) = (dot(second, image), dot(second, rest).real());
+    let own = whole - shared.abs2() / energy;
+    let mut second_step = T::ZERO;
     if own > DEPENDENT * whole {
-        second_step = dot(second, right) / own;
-        step -= shared / energy * second_step;
+        second_step = dot(second, right).divide(own);
+        step -= shared.conj().divide(energy) * second_step;
     }
-    for (value, second) in solution.iter_mut().zip(&*second) {
+    for (value, &second) in solution.iter_mut().zip(&*second) {
         *value = step * *value + second_step * second;
     }
 }
 
 /// A cycle for the right side of the first of these grids, its solution written where `target` says.
-fn visit(grids: &[Grid], scratch: &mut [Scratch], target: impl Fn(&mut Scratch) -> &mut Vec<f64>) {
+fn visit<T: Scalar>(grids: &[Grid<T>], scratch: &mut [Scratch<T>], target: impl Fn(&mut Scratch<T>) -> &mut Vec<T>) {
     let right = std::mem::take(&mut scratch[0].right);
     let mut solution = std::mem::take(target(&mut scratch[0]));
     cycle(grids, &right, &mut solution, scratch);
@@ -144,32 +153,32 @@ fn visit(grids: &[Grid], scratch: &mut [Scratch], target: impl Fn(&mut Scratch) 
     *target(&mut scratch[0]) = solution;
 }
 
-impl Grid {
-    fn new(matrix: SymmetricMatrix) -> Self {
-        let diagonal = (0..matrix.size()).map(|row| matrix[matrix.pattern().column(row).start]);
+impl<T: Scalar> Grid<T> {
+    fn new(matrix: SymmetricMatrix<T>) -> Self {
+        let diagonal = (0..matrix.size()).map(|row| matrix[matrix.pattern().column(row).start].real());
         let inverse = diagonal.map(|value| 1.0 / value).collect();
-        Self { matrix, inverse, aggregates: Vec::new() }
+        Self { matrix, inverse, aggregates: Vec::new(), turns: Vec::new() }
     }
 
     /// The entries of a column below its diagonal, as `(row, value)`.
     #[inline(always)]
-    fn below(&self, column: usize) -> impl Iterator<Item = (usize, f64)> {
+    fn below(&self, column: usize) -> impl Iterator<Item = (usize, T)> {
         let std::ops::Range { start, end } = self.matrix.pattern().column(column);
         let rows = self.matrix.pattern().rows()[start + 1..end].iter();
         rows.zip(&self.matrix.values()[start + 1..end]).map(|(&row, &value)| (row as usize, value))
     }
 
     /// `result = A vector`.
-    fn multiply(&self, vector: &[f64], result: &mut [f64]) {
-        result.fill(0.0);
+    fn multiply(&self, vector: &[T], result: &mut [T]) {
+        result.fill(T::ZERO);
         self.matrix.multiply_add(vector, result);
     }
 
     /// A Gauss-Seidel sweep from zero, in ascending order; leaves the residual in `rest`.
-    fn smooth_up(&self, right: &[f64], solution: &mut [f64], rest: &mut [f64]) {
+    fn smooth_up(&self, right: &[T], solution: &mut [T], rest: &mut [T]) {
         rest.copy_from_slice(right);
         for column in 0..right.len() {
-            let value = rest[column] * self.inverse[column];
+            let value = rest[column].scale(self.inverse[column]);
             solution[column] = value;
             for (row, entry) in self.below(column) {
                 rest[row] -= entry * value;
@@ -177,12 +186,12 @@ impl Grid {
         }
         // Each row was solved with zeros for the rows after it; what they became is its residual.
         for column in 0..right.len() {
-            rest[column] = -self.below(column).map(|(row, entry)| entry * solution[row]).sum::<f64>();
+            rest[column] = -self.below(column).map(|(row, entry)| entry.conj() * solution[row]).sum::<T>();
         }
     }
 
     /// A Gauss-Seidel sweep in descending order. `rest` is memory for it.
-    fn smooth_down(&self, right: &[f64], solution: &mut [f64], rest: &mut [f64]) {
+    fn smooth_down(&self, right: &[T], solution: &mut [T], rest: &mut [T]) {
         rest.copy_from_slice(right);
         for column in 0..right.len() {
             let value = solution[column];
@@ -191,8 +200,8 @@ impl Grid {
             }
         }
         for column in (0..right.len()).rev() {
-            let later: f64 = self.below(column).map(|(row, entry)| entry * solution[row]).sum();
-            solution[column] = (rest[column] - later) * self.inverse[column];
+            let later: T = self.below(column).map(|(row, entry)| entry.conj() * solution[row]).sum();
+            solution[column] = (rest[column] - later).scale(self.inverse[column]);
         }
     }
 }

@@ -12,6 +12,8 @@ impl Scalar for f64 {
     type Pair = Register;
     #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
     type Pair = [f64; 2];
+    type Bits = u64;
+    type Turn = ();
 
     const ZERO: Self = 0.0;
 
@@ -23,6 +25,21 @@ impl Scalar for f64 {
     #[inline(always)]
     fn real(self) -> f64 {
         self
+    }
+
+    #[inline(always)]
+    fn from_real(number: f64) -> Self {
+        number
+    }
+
+    #[inline(always)]
+    fn bits(self) -> u64 {
+        self.to_bits()
+    }
+
+    #[inline(always)]
+    fn magnitude(self) -> f64 {
+        self.abs()
     }
 
     #[inline(always)]
@@ -44,6 +61,14 @@ impl Scalar for f64 {
     fn multiply_add<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self {
         if FUSED { a.mul_add(b, c) } else { a * b + c }
     }
+
+    #[inline(always)]
+    fn coupling(self) -> f64 {
+        -self
+    }
+
+    #[inline(always)]
+    fn turn(self) {}
 }
 
 /// Rounded to single precision.

@@ -8,8 +8,10 @@ use crate::matrix::SymmetricMatrix;
 use crate::ordering::Permutation;
 use crate::pattern::Pattern;
 use crate::progress::go_on;
+use crate::scalar::Scalar;
 use crate::symbolic::Symbolic;
 use crate::system::System;
+use faer::c64;
 
 type Vector = [f64; 3];
 
@@ -149,12 +151,30 @@ pub(crate) fn assemble<T: Copy>(size: usize, entries: &BTreeMap<[u32; 2], T>) ->
 
 /// The matrix by both solvers, with what their solutions of size 1 may differ by: rounding, and the residual at which
 /// conjugate gradients stop, by condition numbers of some 10 to 100.
-pub(crate) fn both_systems(matrix: &SymmetricMatrix) -> [(System, f64); 2] {
+pub(crate) fn both_systems<T: Scalar>(matrix: &SymmetricMatrix<T>) -> [(System<T>, f64); 2] {
     let permutation = Permutation::fill_reducing(matrix.pattern()).expect("memory");
     let symbolic = Arc::new(Symbolic::analyse(matrix.pattern(), permutation).expect("memory"));
     let [factor] = symbolic.factor([matrix], &mut go_on).expect("positive definite");
     let iterative = ConjugateGradients::new(matrix.clone());
     [(System::cholesky(factor), 1e-12), (System::ConjugateGradients(iterative), 1e-9)]
+}
+
+/// The Hermitian matrix of a grid, whose couplings turn by angles that differ from edge to edge.
+pub(crate) fn hermitian(side: u32, turn: f64) -> SymmetricMatrix<c64> {
+    let mut entries = BTreeMap::new();
+    for vertex in 0..side * side {
+        entries.insert([vertex; 2], c64::new(4.1, 0.0));
+        let right = (vertex % side + 1 < side).then_some(vertex + 1);
+        for other in right.into_iter().chain((vertex + side < side * side).then_some(vertex + side)) {
+            entries.insert([vertex, other], -c64::cis(turn * f64::from(vertex + 3 * other)));
+        }
+    }
+    assemble((side * side) as usize, &entries)
+}
+
+/// Numbers of absolute value 1, each turned by an angle from the one before.
+pub(crate) fn unit_numbers(count: usize, step: f64) -> Vec<c64> {
+    (0..count).map(|index| c64::cis(step * index as f64)).collect()
 }
 
 /// Values between −1 and 1 that repeat late.

@@ -1,13 +1,14 @@
 //! The numbers of a matrix.
 
 use std::fmt::Debug;
+use std::hash::Hash;
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 use crate::simd::array;
 
-/// A number of a Hermitian matrix; [`f64`], whose matrices are symmetric, is one. A type of one's own is factored too:
-/// it says `type Pair = [Self; 2]` and leaves vector instructions to the compiler. Its functions are to be
+/// A number of a Hermitian matrix: [`f64`], whose matrices are symmetric, or [`c64`](crate::c64). A type of one's own is
+/// solved too: it says `type Pair = [Self; 2]` and leaves vector instructions to the compiler. Its functions are to be
 /// `#[inline(always)]`.
 pub trait Scalar:
     Copy
@@ -28,6 +29,12 @@ pub trait Scalar:
     /// Two numbers in a vector register.
     type Pair: Pair<Self>;
 
+    /// What tells it from every other number, to look it up.
+    type Bits: Copy + Debug + Eq + Hash + Send + Sync;
+
+    /// What multigrid turns a value by before two rows share it; `()` where they share it as it is.
+    type Turn: Turn<Self>;
+
     /// What adding leaves unchanged.
     const ZERO: Self;
 
@@ -36,6 +43,15 @@ pub trait Scalar:
 
     /// The real part.
     fn real(self) -> f64;
+
+    /// Of a real number.
+    fn from_real(number: f64) -> Self;
+
+    /// What tells it from every other number.
+    fn bits(self) -> Self::Bits;
+
+    /// The absolute value, or nearly so, where its square would overflow too.
+    fn magnitude(self) -> f64;
 
     /// The square of the absolute value.
     fn abs2(self) -> f64;
@@ -49,6 +65,45 @@ pub trait Scalar:
     /// `a · b + c`. `FUSED` tells whether the machine has one instruction for both; where it has not, calling for it would
     /// be many times slower.
     fn multiply_add<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self;
+
+    /// How strongly an entry of a matrix draws the values of its row and its column, turned, to each other; where it is not
+    /// above 0, not at all.
+    fn coupling(self) -> f64;
+
+    /// From the value of its column to that of its row, of an entry with a coupling.
+    fn turn(self) -> Self::Turn;
+}
+
+/// Multiplication by a number of absolute value 1.
+pub trait Turn<T>: Copy + Debug + Send + Sync {
+    /// By 1.
+    const NONE: Self;
+
+    /// Both.
+    fn and(self, other: Self) -> Self;
+
+    /// The number turned.
+    fn apply(self, number: T) -> T;
+
+    /// The number turned back.
+    fn revert(self, number: T) -> T;
+}
+
+impl<T> Turn<T> for () {
+    const NONE: Self = ();
+
+    #[inline(always)]
+    fn and(self, (): ()) -> Self {}
+
+    #[inline(always)]
+    fn apply(self, number: T) -> T {
+        number
+    }
+
+    #[inline(always)]
+    fn revert(self, number: T) -> T {
+        number
+    }
 }
 
 /// Two numbers that are worked on side by side.

@@ -6,23 +6,23 @@ use std::sync::Arc;
 use crate::conjugate_gradients::ConjugateGradients;
 use crate::error::Result;
 use crate::factor::Factor;
-use crate::scalar::Entry;
+use crate::scalar::{Entry, Scalar};
 use crate::schur::{Functional, Kind, SchurColumn, evaluate};
 
 #[cfg(test)]
 mod tests;
 
-/// A symmetric positive definite matrix that can be solved.
+/// A positive definite matrix that can be solved, symmetric or, of complex numbers, Hermitian.
 #[derive(Debug)]
-pub enum System {
+pub enum System<T: Scalar = f64> {
     /// By its Cholesky factor.
-    Cholesky(Box<dyn Substitute>),
+    Cholesky(Box<dyn Substitute<T>>),
     /// By conjugate gradients.
-    ConjugateGradients(ConjugateGradients),
+    ConjugateGradients(ConjugateGradients<T>),
 }
 
 /// A Cholesky factor, whatever its entries are kept as. What no program makes is not in it.
-pub trait Substitute: Send + Sync {
+pub trait Substitute<T: Scalar = f64>: Send + Sync {
     /// Number of rows.
     fn size(&self) -> usize;
 
@@ -30,27 +30,27 @@ pub trait Substitute: Send + Sync {
     fn nonzeros(&self) -> usize;
 
     /// The solution for a right side that is zero but at a few rows, given as `(row, value)`.
-    fn solve_sparse(&self, right: &[(u32, f64)]) -> Vec<f64>;
+    fn solve_sparse(&self, right: &[(u32, T)]) -> Vec<T>;
 
     /// `C⁻¹ right`, in the elimination order.
-    fn forward(&self, right: &[f64]) -> Vec<f64>;
+    fn forward(&self, right: &[T]) -> Vec<T>;
 
     /// `C⁻ᴴ x` for a vector in the elimination order; the result is in the order of the matrix.
-    fn backward(&self, x: Vec<f64>) -> Vec<f64>;
+    fn backward(&self, x: Vec<T>) -> Vec<T>;
 
     /// The Schur columns of constraints.
-    fn columns(&self, functionals: &[Functional]) -> Vec<Arc<SchurColumn>>;
+    fn columns(&self, functionals: &[Functional<T>]) -> Vec<Arc<SchurColumn<T>>>;
 }
 
 /// Not its nonzeros, which are millions.
-impl fmt::Debug for dyn Substitute {
+impl<T: Scalar> fmt::Debug for dyn Substitute<T> {
     fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
         let mut factor = formatter.debug_struct("Factor");
         factor.field("size", &self.size()).field("nonzeros", &self.nonzeros()).finish_non_exhaustive()
     }
 }
 
-impl<E: Entry<f64>> Substitute for Factor<f64, E> {
+impl<T: Scalar, E: Entry<T>> Substitute<T> for Factor<T, E> {
     fn size(&self) -> usize {
         self.size()
     }
@@ -59,20 +59,20 @@ impl<E: Entry<f64>> Substitute for Factor<f64, E> {
         self.nonzeros()
     }
 
-    fn solve_sparse(&self, right: &[(u32, f64)]) -> Vec<f64> {
+    fn solve_sparse(&self, right: &[(u32, T)]) -> Vec<T> {
         self.solve_sparse(right)
     }
 
-    fn forward(&self, right: &[f64]) -> Vec<f64> {
+    fn forward(&self, right: &[T]) -> Vec<T> {
         self.forward(right)
     }
 
-    fn backward(&self, x: Vec<f64>) -> Vec<f64> {
+    fn backward(&self, x: Vec<T>) -> Vec<T> {
         self.backward(x)
     }
 
-    fn columns(&self, functionals: &[Functional]) -> Vec<Arc<SchurColumn>> {
-        let rights: Vec<&[(u32, f64)]> = functionals.iter().map(Vec::as_slice).collect();
+    fn columns(&self, functionals: &[Functional<T>]) -> Vec<Arc<SchurColumn<T>>> {
+        let rights: Vec<&[(u32, T)]> = functionals.iter().map(Vec::as_slice).collect();
         let vectors = self.forward_sparse_all(&rights);
         vectors.into_iter().map(|vector| Arc::new(SchurColumn(Kind::Forward(vector)))).collect()
     }
@@ -80,15 +80,15 @@ impl<E: Entry<f64>> Substitute for Factor<f64, E> {
 
 /// A solve whose right side can still be changed by constraints.
 #[derive(Debug)]
-pub struct PartialSolve<'a> {
-    system: &'a System,
+pub struct PartialSolve<'a, T: Scalar = f64> {
+    system: &'a System<T>,
     /// `C⁻¹ right` in the elimination order of a factor, or the solution.
-    vector: Vec<f64>,
+    vector: Vec<T>,
 }
 
-impl System {
+impl<T: Scalar> System<T> {
     /// By a Cholesky factor.
-    pub fn cholesky<E: Entry<f64>>(factor: Factor<f64, E>) -> Self {
+    pub fn cholesky<E: Entry<T>>(factor: Factor<T, E>) -> Self {
         Self::Cholesky(Box::new(factor))
     }
 
@@ -112,7 +112,7 @@ impl System {
     ///
     /// # Errors
     /// [`Error::NotConverged`](crate::Error::NotConverged).
-    pub fn solve(&self, right: &[f64]) -> Result<Vec<f64>> {
+    pub fn solve(&self, right: &[T]) -> Result<Vec<T>> {
         match self {
             Self::Cholesky(factor) => Ok(factor.backward(factor.forward(right))),
             Self::ConjugateGradients(matrix) => matrix.solve(right),
@@ -123,7 +123,7 @@ impl System {
     ///
     /// # Errors
     /// [`Error::NotConverged`](crate::Error::NotConverged).
-    pub fn solve_sparse(&self, right: &Functional) -> Result<Vec<f64>> {
+    pub fn solve_sparse(&self, right: &Functional<T>) -> Result<Vec<T>> {
         match self {
             Self::Cholesky(factor) => Ok(factor.solve_sparse(right)),
             Self::ConjugateGradients(matrix) => matrix.solve(&dense(matrix.size(), right)),
@@ -134,11 +134,11 @@ impl System {
     ///
     /// # Errors
     /// [`Error::NotConverged`](crate::Error::NotConverged).
-    pub fn schur_columns(&self, functionals: &[Functional]) -> Result<Vec<Arc<SchurColumn>>> {
+    pub fn schur_columns(&self, functionals: &[Functional<T>]) -> Result<Vec<Arc<SchurColumn<T>>>> {
         match self {
             Self::Cholesky(factor) => Ok(factor.columns(functionals)),
             Self::ConjugateGradients(matrix) => {
-                let solve = |functional: &Functional| {
+                let solve = |functional: &Functional<T>| {
                     let solution = matrix.solve(&dense(matrix.size(), functional))?;
                     Ok(Arc::new(SchurColumn(Kind::Solution { functional: functional.clone(), solution })))
                 };
@@ -151,7 +151,7 @@ impl System {
     ///
     /// # Errors
     /// [`Error::NotConverged`](crate::Error::NotConverged).
-    pub fn partial_solve(&self, right: &[f64]) -> Result<PartialSolve<'_>> {
+    pub fn partial_solve(&self, right: &[T]) -> Result<PartialSolve<'_, T>> {
         let vector = match self {
             Self::Cholesky(factor) => factor.forward(right),
             Self::ConjugateGradients(matrix) => matrix.solve(right)?,
@@ -160,9 +160,9 @@ impl System {
     }
 }
 
-impl PartialSolve<'_> {
-    /// `eᵀ x` of the solution `x` so far.
-    pub fn evaluate(&self, column: &SchurColumn) -> f64 {
+impl<T: Scalar> PartialSolve<'_, T> {
+    /// `eᴴ x` of the solution `x` so far.
+    pub fn evaluate(&self, column: &SchurColumn<T>) -> T {
         match &column.0 {
             Kind::Forward(vector) => vector.dot_dense(&self.vector),
             Kind::Solution { functional, .. } => evaluate(functional, &self.vector),
@@ -170,11 +170,11 @@ impl PartialSolve<'_> {
     }
 
     /// Adds `multiplier · e` to the right side.
-    pub fn add(&mut self, multiplier: f64, column: &SchurColumn) {
+    pub fn add(&mut self, multiplier: T, column: &SchurColumn<T>) {
         match &column.0 {
             Kind::Forward(vector) => vector.add_to(multiplier, &mut self.vector),
             Kind::Solution { solution, .. } => {
-                for (target, value) in self.vector.iter_mut().zip(solution) {
+                for (target, &value) in self.vector.iter_mut().zip(solution) {
                     *target += multiplier * value;
                 }
             }
@@ -182,7 +182,7 @@ impl PartialSolve<'_> {
     }
 
     /// The solution (`#rows`).
-    pub fn finish(self) -> Vec<f64> {
+    pub fn finish(self) -> Vec<T> {
         match self.system {
             System::Cholesky(factor) => factor.backward(self.vector),
             System::ConjugateGradients(_) => self.vector,
@@ -191,8 +191,8 @@ impl PartialSolve<'_> {
 }
 
 /// A functional as a vector.
-fn dense(size: usize, functional: &Functional) -> Vec<f64> {
-    let mut vector = vec![0.0; size];
+fn dense<T: Scalar>(size: usize, functional: &Functional<T>) -> Vec<T> {
+    let mut vector = vec![T::ZERO; size];
     for &(unknown, weight) in functional {
         vector[unknown as usize] += weight;
     }

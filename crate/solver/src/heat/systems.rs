@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::operator::{Discretization, Operators};
 use crate::options::{LinearSolver, MemoryLimit};
 use heatwalk_sparse::{
-    ConjugateGradients, Factor, Functional, Permutation, Progress, SchurCache, SchurColumn, Stage, Symbolic,
+    ConjugateGradients, Factor, Functional, Permutation, Progress, Scalar, SchurCache, SchurColumn, Stage, Symbolic,
     SymmetricMatrix, System, go_on, report,
 };
 use heatwalk_surface::memory;
@@ -110,6 +110,19 @@ impl<D: Discretization> Systems<D> {
             }
             None => matrices.map(|(matrix, _)| System::ConjugateGradients(ConjugateGradients::new(matrix))),
         })
+    }
+
+    /// Another matrix of the pattern, of real or complex numbers, made ready.
+    ///
+    /// # Errors
+    /// [`Error::NotPositiveDefinite`]; [`Error::OutOfMemory`]; [`Error::Cancelled`];
+    /// [`Error::Algebra`] for a matrix of another pattern.
+    pub fn system_of<T: Scalar>(&self, matrix: SymmetricMatrix<T>, progress: Progress<'_>) -> Result<System<T>> {
+        let Some(symbolic) = &self.symbolic else {
+            return Ok(System::ConjugateGradients(ConjugateGradients::new(matrix)));
+        };
+        let [factor] = symbolic.factor([&matrix], progress)?;
+        Ok(System::cholesky(factor))
     }
 
     fn kept(factor: Factor) -> System {

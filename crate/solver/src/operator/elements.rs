@@ -1,5 +1,6 @@
 //! Linear elements: each triangle, given by the lengths of its sides, laid out in a plane of its own.
 
+use crate::error::{Error, Result};
 use heatwalk_surface::triangle;
 
 /// Triangles whose roots and divisions are best taken together: one by one, each would wait for those of the one before.
@@ -135,6 +136,21 @@ impl Elements {
         let (mean_edge, deviation) = edge_statistics(lengths, is_boundary);
         Self { whole: faces.len(), faces, shapes, mean_edge, deviation }
     }
+}
+
+/// Refuses lengths of sides that make no triangle.
+///
+/// # Errors
+/// [`Error::BadParameter`].
+pub(crate) fn require_triangles(lengths: &[[f64; 3]]) -> Result<()> {
+    let is_bad =
+        |&(_, &[a, b, c]): &(usize, &[f64; 3])| !(a + b > c && b + c > a && c + a > b && a + b + c < f64::INFINITY);
+    let Some((face, lengths)) = lengths.iter().enumerate().find(is_bad) else { return Ok(()) };
+    Err(Error::BadParameter {
+        name: "a triple of edge lengths",
+        value: format!("{lengths:?} at face {face}"),
+        range: "finite, each less than the sum of the other two",
+    })
 }
 
 /// Mean length of the edges, and the root-mean-square deviation of a triangle's sides from their mean, as a share of it.

@@ -5,11 +5,12 @@
 
 use std::collections::BinaryHeap;
 
-use crate::operator::elements::{Element, Elements, edge_statistics};
-use heatwalk_surface::HalfedgeId;
+use crate::error::{Error, Result};
+use crate::operator::elements::{Element, Elements, edge_statistics, require_triangles};
 use heatwalk_surface::csr::NONE;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::triangle;
+use heatwalk_surface::{Element as _, FaceId, HalfedgeId, VertexId};
 
 /// Share of the mean edge by which every triangle must miss being flat after mollification (Sharp and Crane, 4.5).
 const MOLLIFICATION: f64 = 1e-5;
@@ -42,6 +43,73 @@ pub struct IntrinsicTriangulation {
 }
 
 impl IntrinsicTriangulation {
+    /// Of any triangles: `faces` (`#F × 3`) are vertices, counter-clockwise, `lengths` (`#F × 3`) those of the sides from
+    /// corner 0 to 1, 1 to 2 and 2 to 0, and `twins` (`#F × 3`) the side glued to each, none where it is open. Side `k` of
+    /// face `f` is half-edge `3 f + k`. Vertices are counted from 0.
+    ///
+    /// # Errors
+    /// [`Error::BadParameter`] where there is not a triple of each for every face, for lengths that make no triangle, and
+    /// for a vertex in no face; [`Error::BadGlue`] for two sides that do not fit.
+    pub fn new(faces: &[[VertexId; 3]], lengths: &[[f64; 3]], twins: &[[Option<HalfedgeId>; 3]]) -> Result<Self> {
+        if [lengths.len(), twins.len()] != [faces.len(); 2] {
+            return Err(Error::BadParameter {
+                name: "the number of triples of lengths and of glued sides",
+                value: format!("{} and {}", lengths.len(), twins.len()),
+                range: "one of each for every face",
+            });
+        }
+        require_triangles(lengths)?;
+        let faces: Vec<[u32; 3]> = faces.iter().map(|face| face.map(|vertex| vertex.0)).collect();
+        let corners = faces.as_flattened();
+        let count = corners.iter().max().map_or(0, |&last| last as usize + 1);
+        let mut is_used = vec![false; count.min(corners.len() + 1)];
+        for &corner in corners {
+            is_used.get_mut(corner as usize).into_iter().for_each(|used| *used = true);
+        }
+        if let Some(unused) = is_used.iter().position(|&used| !used) {
+            let range = "a corner of some face, as all below the highest are";
+            return Err(Error::BadParameter { name: "a vertex", value: unused.to_string(), range });
+        }
+        let (twins, sides) = (twins.as_flattened(), lengths.as_flattened());
+        let ends = |side: usize| [corners[side], corners[next(side as u32) as usize]];
+        let fits = |side: usize, twin: usize| {
+            let [start, end] = ends(side);
+            twin != side && twin < sides.len() && ends(twin) == [end, start] && sides[twin] == sides[side]
+        };
+        let is_bad = |side: usize| {
+            twins[side]
+                .is_some_and(|twin| !fits(side, twin.index()) || twins[twin.index()] != Some(HalfedgeId(side as u32)))
+        };
+        if let Some(side) = (0..sides.len()).find(|&side| is_bad(side)) {
+            return Err(Error::BadGlue { side });
+        }
+        let mut open = sides.len() as u32..;
+        let slot = |twin: &Option<HalfedgeId>| twin.map(|twin| twin.0).or_else(|| open.next()).unwrap_or(NONE);
+        let twins = twins.iter().map(slot).collect();
+        Ok(Self::glued(faces, sides.to_vec(), twins))
+    }
+
+    /// The faces of a surface as they are, but for the lengths of flat ones. Vertices are those of its half-edge mesh: where
+    /// that is cut, each copy is one.
+    pub fn of_surface(surface: &Surface) -> Self {
+        let mesh = surface.mesh();
+        let corners = |face: FaceId| [0, 1, 2].map(|k| mesh.vertex(face.halfedge(k)).0);
+        Self::of_faces(surface, mesh.faces().map(corners).collect())
+    }
+
+    /// The faces of a surface, of these vertices.
+    fn of_faces(surface: &Surface, faces: Vec<[u32; 3]>) -> Self {
+        let mut lengths = surface.side_lengths();
+        mollify(&mut lengths, surface.mean_edge());
+        let twins = (0..lengths.len() as u32).map(|slot| surface.mesh().twin(HalfedgeId(slot)).0).collect();
+        Self::glued(faces, lengths, twins)
+    }
+
+    fn glued(faces: Vec<[u32; 3]>, lengths: Vec<f64>, twins: Vec<u32>) -> Self {
+        let cotans = lengths.as_chunks().0.iter().flat_map(|&sides| cotans_opposite(sides)).collect();
+        Self { faces, lengths, cotans, twins, sheets: 1, flips: 0, costs: Vec::new() }
+    }
+
     /// The Delaunay triangulation of a surface. It has a single sheet where the surface is an oriented manifold and
     /// no boundary edge lies opposite an obtuse angle; otherwise it lives on the tufted cover, where every edge has two
     /// sides and can be flipped, so that no cotan weight is negative in either case.
@@ -51,26 +119,15 @@ impl IntrinsicTriangulation {
 
     /// The same within areas of one cost (`#F`, or none).
     pub(crate) fn delaunay_within(surface: &Surface, costs: &[f64]) -> Self {
-        let slots = 3 * surface.face_count() as u32;
-        let mut triangulation = Self {
-            faces: surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect(),
-            lengths: surface.side_lengths(),
-            cotans: Vec::with_capacity(slots as usize),
-            twins: (0..slots).map(|slot| surface.mesh().twin(HalfedgeId(slot)).0).collect(),
-            sheets: 1,
-            flips: 0,
-            costs: costs.to_vec(),
-        };
-        triangulation.mollify(surface.mean_edge());
-        let cotans = triangulation.lengths.as_chunks().0.iter().flat_map(|&sides| cotans_opposite(sides));
-        triangulation.cotans.extend(cotans);
-        triangulation.flip_to_delaunay(0..slots);
+        let faces = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
+        let mut triangulation = Self { costs: costs.to_vec(), ..Self::of_faces(surface, faces) };
+        triangulation.flip_to_delaunay(0..3 * surface.face_count() as u32, |_, _| {});
         if surface.is_oriented_manifold() && triangulation.has_sharp_boundary() {
             return triangulation;
         }
         // Inside its sheets the cover is Delaunay already.
         let seams = triangulation.cover(surface);
-        triangulation.flip_to_delaunay(seams.into_iter());
+        triangulation.flip_to_delaunay(seams.into_iter(), |_, _| {});
         triangulation
     }
 
@@ -129,27 +186,11 @@ impl IntrinsicTriangulation {
         seams
     }
 
-    /// Adds one length to every side, the least that leaves no triangle flatter than `MOLLIFICATION`.
-    fn mollify(&mut self, mean_edge: f64) {
-        let margin = MOLLIFICATION * mean_edge;
-        let shortfall = |&[a, b, c]: &[f64; 3]| {
-            let longest = a.max(b).max(c);
-            let others = a + b + c - longest;
-            longest - others + margin
-        };
-        let addition = self.lengths.as_chunks().0.iter().map(shortfall).fold(0.0, f64::max);
-        if addition > 0.0 {
-            for length in &mut self.lengths {
-                *length += addition;
-            }
-        }
-    }
-
     /// Flips edges until those of `sides` and of the triangles changed on the way are Delaunay, or [`MOST_FLIPS`] are done.
     ///
     /// What is farthest from it is flipped first, so that flat triangles in a row, as at a T-junction, are flipped away one after another
-    /// and not among themselves.
-    fn flip_to_delaunay(&mut self, sides: impl Iterator<Item = u32>) {
+    /// and not among themselves. `flipped` is told of each with one of its new slots.
+    pub(crate) fn flip_to_delaunay(&mut self, sides: impl Iterator<Item = u32>, mut flipped: impl FnMut(&Self, u32)) {
         let mut waiting = Waiting { edges: BinaryHeap::new(), holds: vec![false; self.twins.len()] };
         sides.for_each(|side| self.let_wait(side, &mut waiting));
         let most = self.flips + MOST_FLIPS * self.twins.len();
@@ -160,6 +201,7 @@ impl IntrinsicTriangulation {
             }
             let twin = self.twins[slot as usize];
             self.flip(slot);
+            flipped(self, slot);
             self.flips += 1;
             for side in [next(slot), previous(slot), next(twin), previous(twin)] {
                 self.let_wait(side, &mut waiting);
@@ -247,6 +289,31 @@ impl IntrinsicTriangulation {
         (0..self.twins.len()).all(|slot| !self.is_open(slot) || self.cotans[slot] >= -FLIP_TOLERANCE)
     }
 
+    /// Number of triangles.
+    pub fn face_count(&self) -> usize {
+        self.faces.len()
+    }
+
+    /// The vertices that a side leaves and enters.
+    pub fn ends(&self, side: HalfedgeId) -> [VertexId; 2] {
+        [side, HalfedgeId(next(side.0))].map(|side| VertexId(self.faces[side.triangle().index()][side.corner()]))
+    }
+
+    /// The side glued to a side, none where it is open.
+    pub fn twin(&self, side: HalfedgeId) -> Option<HalfedgeId> {
+        (!self.is_open(side.index())).then(|| HalfedgeId(self.twins[side.index()]))
+    }
+
+    /// Length of a side, in the file's unit.
+    pub fn length(&self, side: HalfedgeId) -> f64 {
+        self.lengths[side.index()]
+    }
+
+    /// The angle between a side and the one before it in its face, radians.
+    pub(crate) fn corner_angle(&self, side: u32) -> f64 {
+        1.0_f64.atan2(self.cotans[next(side) as usize])
+    }
+
     /// Number of edges flipped.
     pub fn flips(&self) -> usize {
         self.flips
@@ -275,6 +342,22 @@ impl IntrinsicTriangulation {
         let faces = order.iter().map(|&face| self.faces[face]).collect();
         let shapes = order.iter().map(|&face| Element::of_lengths(lengths[face])).collect();
         Elements { faces, shapes, whole, mean_edge, deviation }
+    }
+}
+
+/// Adds one length to every side, the least that leaves no triangle flatter than `MOLLIFICATION`.
+fn mollify(lengths: &mut [f64], mean_edge: f64) {
+    let margin = MOLLIFICATION * mean_edge;
+    let shortfall = |&[a, b, c]: &[f64; 3]| {
+        let longest = a.max(b).max(c);
+        let others = a + b + c - longest;
+        longest - others + margin
+    };
+    let addition = lengths.as_chunks().0.iter().map(shortfall).fold(0.0, f64::max);
+    if addition > 0.0 {
+        for length in lengths {
+            *length += addition;
+        }
     }
 }
 
@@ -312,10 +395,10 @@ fn sort_around(surface: &Surface, sides: &mut [u32]) {
     }
 }
 
-fn next(slot: u32) -> u32 {
+pub(crate) fn next(slot: u32) -> u32 {
     if slot % 3 == 2 { slot - 2 } else { slot + 1 }
 }
 
-fn previous(slot: u32) -> u32 {
+pub(crate) fn previous(slot: u32) -> u32 {
     if slot.is_multiple_of(3) { slot + 2 } else { slot - 1 }
 }

@@ -5,9 +5,9 @@ use heatwalk_surface::union_find::UnionFind;
 use heatwalk_surface::{HalfedgeId, VertexId};
 
 use crate::cost::Costs;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::extremum::larger;
-use crate::operator::elements::Elements;
+use crate::operator::elements::{Elements, require_triangles};
 use crate::operator::intrinsic::IntrinsicTriangulation;
 use crate::operator::laplacian::{Discretization, Laplacian};
 use crate::operator::relocate;
@@ -53,21 +53,13 @@ impl Operators {
     /// `faces`. An edge has the same length in all its faces. Vertices are counted from 0, and each is in some face.
     ///
     /// # Errors
-    /// [`Error::BadParameter`] for lengths that make no triangle.
+    /// [`BadParameter`](crate::Error::BadParameter) for lengths that make no triangle.
     ///
     /// # Panics
     /// Where there is not one triple of lengths for each face, or where some vertex is in no face.
     pub fn from_lengths(faces: &[[VertexId; 3]], lengths: &[[f64; 3]]) -> Result<Self> {
         assert_eq!(faces.len(), lengths.len(), "one triple of lengths for each face");
-        let is_bad =
-            |&(_, &[a, b, c]): &(usize, &[f64; 3])| !(a + b > c && b + c > a && c + a > b && a + b + c < f64::INFINITY);
-        if let Some((face, lengths)) = lengths.iter().enumerate().find(is_bad) {
-            return Err(Error::BadParameter {
-                name: "a triple of edge lengths",
-                value: format!("{lengths:?} at face {face}"),
-                range: "finite, each less than the sum of the other two",
-            });
-        }
+        require_triangles(lengths)?;
         let faces: Vec<[u32; 3]> = faces.iter().map(|face| face.map(|vertex| vertex.0)).collect();
         let ends = |side: usize| {
             let (face, k) = (faces[side / 3], side % 3);
@@ -85,6 +77,13 @@ impl Operators {
         let components = components(&faces);
         let elements = Elements::from_lengths(faces, lengths.as_flattened(), |side| is_boundary[side]);
         Ok(Self::assemble(elements, components))
+    }
+
+    /// Of an intrinsic triangulation. With one sheet its triangles are in order.
+    pub fn of_triangulation(triangulation: &IntrinsicTriangulation) -> Self {
+        let elements = triangulation.clone().elements();
+        let components = components(&elements.faces);
+        Self::assemble(elements, components)
     }
 
     fn assemble(elements: Elements, components: Vec<u32>) -> Self {

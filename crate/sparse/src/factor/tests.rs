@@ -3,16 +3,15 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::collections::BTreeMap;
-use std::iter::Sum;
 use std::ops::ControlFlow;
-use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
+
+use faer::c64;
 
 use super::*;
 use crate::ordering::Permutation;
 use crate::pattern::Pattern;
 use crate::progress::go_on;
-use crate::samples::{Mesh, assemble, both_systems, right_side};
+use crate::samples::{Mesh, both_systems, hermitian, right_side, unit_numbers};
 use crate::schur::{Functional, SchurComplement, evaluate};
 use crate::system::System;
 
@@ -25,11 +24,11 @@ fn analysed(pattern: &Arc<Pattern>) -> Arc<Symbolic> {
     Arc::new(Symbolic::analyse(pattern, permutation).expect("memory"))
 }
 
-fn assert_solves(matrix: &SymmetricMatrix, solution: &[f64], right: &[f64]) {
-    let mut rest: Vec<f64> = right.iter().map(|value| -value).collect();
+fn assert_solves<T: Scalar>(matrix: &SymmetricMatrix<T>, solution: &[T], right: &[T]) {
+    let mut rest: Vec<T> = right.iter().map(|&value| -value).collect();
     matrix.multiply_add(solution, &mut rest);
-    let largest = solution.iter().fold(1.0_f64, |largest, value| largest.max(value.abs()));
-    let missed = rest.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let largest = solution.iter().fold(1.0_f64, |largest, value| largest.max(value.magnitude()));
+    let missed = rest.iter().fold(0.0_f64, |most, value| most.max(value.magnitude()));
     assert!(missed <= RESIDUAL * largest, "{missed} at solutions up to {largest}");
 }
 
@@ -100,32 +99,40 @@ fn a_factor_of_entries_that_single_precision_lacks_is_not_rounded() {
 
 #[test]
 fn constraints_are_met_by_changing_the_right_side_where_they_act() {
-    let mesh = Mesh::grid(20, 20, 0.5, 1.0);
-    let matrix = mesh.heat();
-    let functionals: Vec<Functional> = vec![vec![(30, 1.0)], vec![(100, 0.5), (101, 0.5)], vec![(250, 1.0)]];
-    let wanted = [1.0, -2.0, 0.25];
-    for (system, bound) in both_systems(&matrix) {
-        let right = right_side(system.size());
+    let real = |unit: c64| unit.re;
+    assert_meets_constraints(&Mesh::grid(20, 20, 0.5, 1.0).heat(), real);
+    assert_meets_constraints(&hermitian(21, 0.7), |unit| unit);
+}
+
+/// With weights, values and a right side that are made of complex numbers of absolute value 1.
+fn assert_meets_constraints<T: Scalar>(matrix: &SymmetricMatrix<T>, number: impl Fn(c64) -> T) {
+    let numbers = |count, step| -> Vec<T> { unit_numbers(count, step).into_iter().map(&number).collect() };
+    let weights = numbers(4, 0.5);
+    let functionals: Vec<Functional<T>> =
+        vec![vec![(30, weights[0])], vec![(100, weights[1]), (101, weights[2])], vec![(250, weights[3])]];
+    let wanted = numbers(3, 1.1);
+    for (system, bound) in both_systems(matrix) {
+        let right = numbers(system.size(), 1.7);
         let columns = system.schur_columns(&functionals).expect("converges");
         let mut partial = system.partial_solve(&right).expect("converges");
-        let missing: Vec<f64> = wanted.iter().zip(&columns).map(|(value, e)| value - partial.evaluate(e)).collect();
+        let missing: Vec<T> = wanted.iter().zip(&columns).map(|(&value, e)| value - partial.evaluate(e)).collect();
         let multipliers = SchurComplement::new(&columns, 0.0).solve(&missing);
         for (&multiplier, column) in multipliers.iter().zip(&columns) {
             partial.add(multiplier, column);
         }
         let solution = partial.finish();
-        for (functional, value) in functionals.iter().zip(wanted) {
-            assert!((evaluate(functional, &solution) - value).abs() < bound);
+        for (functional, value) in functionals.iter().zip(&wanted) {
+            assert!((evaluate(functional, &solution) - *value).magnitude() < bound);
         }
         let mut changed = right;
-        for (&(unknown, weight), multiplier) in
+        for (&(unknown, weight), &multiplier) in
             functionals.iter().zip(&multipliers).flat_map(|(e, m)| e.iter().map(move |term| (term, m)))
         {
             changed[unknown as usize] += multiplier * weight;
         }
         let direct = system.solve(&changed).expect("converges");
         assert_eq!([solution.len(), direct.len()], [matrix.size(); 2]);
-        assert!(solution.iter().zip(&direct).all(|(a, b)| (a - b).abs() < bound));
+        assert!(solution.iter().zip(&direct).all(|(&a, &b)| (a - b).magnitude() < bound));
     }
 }
 
@@ -190,106 +197,6 @@ fn rejects_invalid_patterns() {
     assert_eq!(code(&[0, 3, 4], &[0, 1, 1, 1]), "invalid-row");
 }
 
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-struct Complex {
-    re: f64,
-    im: f64,
-}
-
-impl Complex {
-    fn of_angle(angle: f64) -> Self {
-        Self { re: angle.cos(), im: angle.sin() }
-    }
-}
-
-impl Add for Complex {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self { re: self.re + other.re, im: self.im + other.im }
-    }
-}
-
-impl Neg for Complex {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self { re: -self.re, im: -self.im }
-    }
-}
-
-impl Sub for Complex {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl Mul for Complex {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        Self { re: self.re * other.re - self.im * other.im, im: self.re * other.im + self.im * other.re }
-    }
-}
-
-impl AddAssign for Complex {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
-
-impl SubAssign for Complex {
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
-
-impl Sum for Complex {
-    fn sum<I: Iterator<Item = Self>>(numbers: I) -> Self {
-        numbers.fold(Self::ZERO, Add::add)
-    }
-}
-
-impl Scalar for Complex {
-    type Pair = [Self; 2];
-    const ZERO: Self = Self { re: 0.0, im: 0.0 };
-
-    fn conj(self) -> Self {
-        Self { re: self.re, im: -self.im }
-    }
-
-    fn real(self) -> f64 {
-        self.re
-    }
-
-    fn abs2(self) -> f64 {
-        self.re * self.re + self.im * self.im
-    }
-
-    fn scale(self, factor: f64) -> Self {
-        Self { re: self.re * factor, im: self.im * factor }
-    }
-
-    fn divide(self, divisor: f64) -> Self {
-        Self { re: self.re / divisor, im: self.im / divisor }
-    }
-
-    fn multiply_add<const FUSED: bool>(a: Self, b: Self, c: Self) -> Self {
-        a * b + c
-    }
-}
-
-/// The Hermitian matrix of a grid, whose couplings turn by angles that differ from edge to edge.
-fn hermitian(side: u32, turn: f64) -> SymmetricMatrix<Complex> {
-    let mut entries = BTreeMap::new();
-    for vertex in 0..side * side {
-        entries.insert([vertex; 2], Complex { re: 4.1, im: 0.0 });
-        let right = (vertex % side + 1 < side).then_some(vertex + 1);
-        for other in right.into_iter().chain((vertex + side < side * side).then_some(vertex + side)) {
-            entries.insert([vertex, other], -Complex::of_angle(turn * f64::from(vertex + 3 * other)));
-        }
-    }
-    assemble((side * side) as usize, &entries)
-}
-
 #[test]
 fn hermitian_matrices_are_solved() {
     let matrices = [hermitian(30, 0.7), hermitian(30, 1.9)];
@@ -299,21 +206,9 @@ fn hermitian_matrices_are_solved() {
     let both = symbolic.factor(matrices.each_ref(), &mut go_on).expect("positive definite");
     for (matrix, both) in matrices.iter().zip(both) {
         let [alone] = symbolic.factor([matrix], &mut go_on).expect("positive definite");
-        let right: Vec<Complex> = (0..matrix.size()).map(|row| Complex::of_angle(row as f64 * 1.7)).collect();
+        let right = unit_numbers(matrix.size(), 1.7);
         for factor in [both, alone] {
-            let solution = factor.solve(&right);
-            let mut rest: Vec<Complex> = right.iter().map(|&value| -value).collect();
-            for column in 0..matrix.size() {
-                for entry in matrix.pattern().column(column) {
-                    let row = matrix.pattern().rows()[entry] as usize;
-                    rest[row] += matrix[entry] * solution[column];
-                    if row != column {
-                        rest[column] += matrix[entry].conj() * solution[row];
-                    }
-                }
-            }
-            let missed = rest.iter().fold(0.0_f64, |most, value| most.max(value.abs2().sqrt()));
-            assert!(missed <= RESIDUAL, "{missed}");
+            assert_solves(matrix, &factor.solve(&right), &right);
         }
     }
 }

@@ -6,6 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use std::sync::Arc;
 
 use super::aggregation::{Coarse, coarsen};
+use faer::c64;
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::SplitMix64;
 
@@ -13,7 +14,7 @@ use super::*;
 use crate::conjugate_gradients::ConjugateGradients;
 use crate::ordering::Permutation;
 use crate::progress::go_on;
-use crate::samples::{Mesh, right_side};
+use crate::samples::{Mesh, right_side, unit_numbers};
 use crate::symbolic::Symbolic;
 
 /// Solves by both solvers, asserts that they differ by at most this share of the largest value, and returns the steps.
@@ -70,6 +71,28 @@ fn steps_do_not_grow_with_the_mesh() {
 }
 
 #[test]
+fn other_units_of_each_row_take_the_same_steps() {
+    // A real matrix between values that are each turned by an angle of their own, as frames of a flat surface may be.
+    let real = Mesh::icosphere(4).poisson();
+    let turns = unit_numbers(real.size(), 2.3);
+    let pattern = real.pattern();
+    let entries = (0..real.size()).flat_map(|column| pattern.column(column).map(move |entry| (column, entry)));
+    let turned = entries
+        .map(|(column, entry)| (turns[pattern.rows()[entry] as usize] * turns[column].conj()).scale(real[entry]));
+    let matrix = SymmetricMatrix::new(Arc::clone(pattern), turned.collect()).expect("values of the pattern");
+    let right = right_side(real.size());
+    let right_turned: Vec<c64> = turns.iter().zip(&right).map(|(turn, &value)| turn.scale(value)).collect();
+    let (wanted, steps) = ConjugateGradients::new(real).solve_recording(&right).expect("converges");
+    let (solution, residuals) = ConjugateGradients::new(matrix).solve_recording(&right_turned).expect("converges");
+    assert_eq!(residuals.len(), steps.len());
+    let largest = wanted.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    for ((value, turn), wanted) in solution.iter().zip(&turns).zip(&wanted) {
+        // Residuals of 10⁻¹², by a condition number of some 10³.
+        assert!((*value - turn.scale(*wanted)).magnitude() < 1e-9 * largest);
+    }
+}
+
+#[test]
 fn uneven_couplings_are_solved() {
     // A grid whose couplings jump between 10⁻² and 10² from edge to edge, worse than those of slivers.
     let side = 40;
@@ -90,7 +113,7 @@ fn uneven_couplings_are_solved() {
     diagonal[0] += 1.0;
     let matrix = SymmetricMatrix::from_entries(&diagonal, &start, &mut sides);
     let multigrid = Multigrid::new(matrix.clone());
-    let is_halved = |grids: &[Grid]| 2 * grids[1].matrix.size() <= grids[0].matrix.size();
+    let is_halved = |grids: &[Grid<f64>]| 2 * grids[1].matrix.size() <= grids[0].matrix.size();
     assert!(multigrid.grids.windows(2).all(is_halved));
     // Condition numbers of some 10⁷.
     let steps = steps_and_agreement(&matrix, 1e-5);
@@ -117,7 +140,7 @@ fn rows_around_a_hub_are_one_aggregate() {
     let mut diagonal = vec![1.0; rows as usize];
     diagonal[0] = f64::from(rows);
     let start: Vec<u32> = (0..=rows).map(|column| if column == 0 { 0 } else { rows - 1 }).collect();
-    let Coarse { aggregates, matrix } = coarsen(&SymmetricMatrix::from_entries(&diagonal, &start, &mut sides));
+    let Coarse { aggregates, matrix, .. } = coarsen(&SymmetricMatrix::from_entries(&diagonal, &start, &mut sides));
     // The second pairing finds one row that nothing is coupled to, and leaves it to smoothing.
     assert_eq!((matrix.size(), matrix.values().len()), (0, 0));
     assert!(aggregates.iter().all(|&aggregate| aggregate == NONE));
@@ -128,7 +151,7 @@ fn constrained_and_dominant_rows_are_in_no_aggregate() {
     // A chain 0–1–2–3, row 4 constrained, and a row 5 whose diagonal outweighs its coupling to 3.
     let mut sides = vec![(1, -1.0), (2, -1.0), (3, -1.0), (4, 0.0), (5, -1.0)];
     let diagonal = [1.5, 2.5, 2.5, 3.5, 1.0, 9.0];
-    let Coarse { aggregates, matrix } =
+    let Coarse { aggregates, matrix, .. } =
         coarsen(&SymmetricMatrix::from_entries(&diagonal, &[0, 1, 2, 3, 5, 5, 5], &mut sides));
     assert_eq!(aggregates, [0, 0, 0, 0, NONE, NONE]);
     // 10 on the diagonals less six couplings.

@@ -4,10 +4,22 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use super::*;
-use crate::samples::{Mesh, both_systems};
+use crate::samples::{Mesh, both_systems, hermitian};
+use faer::c64;
 
 fn points(vertices: &[u32]) -> Vec<Functional> {
     vertices.iter().map(|&vertex| vec![(vertex, 0.75), (vertex + 1, 0.25)]).collect()
+}
+
+#[test]
+fn complex_constraints_are_told_apart() {
+    let [(system, _), _] = both_systems(&hermitian(20, 0.7));
+    let mut cache = SchurCache::default();
+    let mut column =
+        |weight: c64| cache.columns(&system, &[vec![(30, weight)]], usize::MAX).expect("a factor").remove(0);
+    let first = column(c64::new(0.6, 0.8));
+    assert!(Arc::ptr_eq(&first, &column(c64::new(0.6, 0.8))));
+    assert!(!Arc::ptr_eq(&first, &column(c64::new(0.6, -0.8))));
 }
 
 #[test]
