@@ -7,8 +7,7 @@
 use crate::error::{Error, Result};
 use crate::matrix::SymmetricMatrix;
 use crate::multigrid::Multigrid;
-use crate::scalar::Scalar;
-use crate::simd::dot;
+use crate::scalar::{Scalar, dot};
 
 /// The residual at which it stops, as a share of the right side.
 const TOLERANCE: f64 = 1e-12;

@@ -10,8 +10,7 @@ mod tests;
 
 use crate::matrix::SymmetricMatrix;
 use crate::pattern::NONE;
-use crate::scalar::{Scalar, Turn};
-use crate::simd::dot;
+use crate::scalar::{Scalar, Turn, dot};
 use aggregation::{Coarse, coarsen};
 
 /// Least share of the second of two directions that is not along the first. Rounding of the sums before is some 1e-15.

@@ -163,3 +163,16 @@ impl<T: Scalar> Entry<T> for T {
         T::Pair::new(entries)
     }
 }
+
+/// `aᴴ b` in four running sums, which the compiler may keep in vector registers.
+pub(crate) fn dot<T: Scalar>(a: &[T], b: &[T]) -> T {
+    let (a_blocks, b_blocks) = (a.chunks_exact(4), b.chunks_exact(4));
+    let rest: T = a_blocks.remainder().iter().zip(b_blocks.remainder()).map(|(&a, &b)| a.conj() * b).sum();
+    let mut sums = [T::ZERO; 4];
+    for (a, b) in a_blocks.zip(b_blocks) {
+        for lane in 0..4 {
+            sums[lane] += a[lane].conj() * b[lane];
+        }
+    }
+    (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
+}

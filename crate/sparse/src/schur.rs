@@ -4,8 +4,7 @@
 
 use std::sync::Arc;
 
-use crate::scalar::Scalar;
-use crate::simd::dot;
+use crate::scalar::{Scalar, dot};
 use crate::sparse_vector::SparseVector;
 
 /// A vector `e` that is zero but at a few unknowns, as `(unknown, weight)`, for the weighted sum of unknowns `eᴴ x`.

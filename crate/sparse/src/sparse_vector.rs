@@ -2,8 +2,7 @@
 //!
 //! Davis, "Direct Methods for Sparse Linear Systems" (2006), section 3.2 on the reach of a sparse right side.
 
-use crate::scalar::Scalar;
-use crate::simd::dot;
+use crate::scalar::{Scalar, dot};
 
 /// A vector in the elimination order that is zero outside some runs.
 #[derive(Debug, Clone, Default)]
