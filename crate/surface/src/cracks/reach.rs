@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::csr::NONE;
-use crate::index::{Bounds, Tree, along_fine_curve};
+use crate::index::{Bounds, Tree};
 
 /// Points of a leaf, but for the last one.
 const LEAF: usize = 8;
@@ -15,7 +15,7 @@ const REMOVED: f64 = f64::NEG_INFINITY;
 pub struct Reaching<'a> {
     points: &'a [DVec3],
     tree: Tree<2, LEAF>,
-    /// Numbers of points along a curve.
+    /// Numbers of points, [arranged](Tree::arranged).
     order: Vec<u32>,
     /// `#points`, the place of each in `order`.
     place: Vec<u32>,
@@ -31,13 +31,12 @@ impl<'a> Reaching<'a> {
     /// Of the points that reach anywhere. `reach`: `#points`.
     pub fn new(points: &'a [DVec3], reach: &[f64]) -> Self {
         let own: Vec<u32> = (0..points.len() as u32).filter(|&point| reach[point as usize] > 0.0).collect();
-        let places: Vec<DVec3> = own.iter().map(|&point| points[point as usize]).collect();
-        let order: Vec<u32> = along_fine_curve(&places).into_iter().map(|index| own[index as usize]).collect();
+        let tree = Tree::new(own.len());
+        let order = tree.arranged(points, own);
         let mut place = vec![NONE; points.len()];
         for (&point, index) in order.iter().zip(0..) {
             place[point as usize] = index;
         }
-        let tree = Tree::new(order.len());
         let of_leaf = |leaf: &[u32]| Bounds::of_points(leaf.iter().map(|&point| points[point as usize]));
         let boxes = tree.values(|leaf| of_leaf(&order[leaf]), Bounds::around);
         let reach = reach.to_vec();

@@ -1,5 +1,6 @@
 //! One index for all that is looked for in space: a complete tree over things in an order in which neighbours are near each other,
-//! as that [along a Morton curve](along_curve) (Lauterbach and others, "Fast BVH construction on GPUs", 2009).
+//! as that [along a Morton curve](along_curve) (Lauterbach and others, "Fast BVH construction on GPUs", 2009), or one
+//! [for the tree](Tree::arranged) where most things may lie in one cell of the curve.
 //!
 //! What is below a node follows from its number, so a [`Tree`] keeps nothing but counts. What is known of each node, its
 //! [box](Bounds) or a sum over its things, is a list with a [value a node](Tree::values) that the owner of the things keeps.
@@ -15,5 +16,5 @@ mod curve;
 mod tree;
 
 pub use bounds::Bounds;
-pub use curve::{along_curve, along_fine_curve};
+pub use curve::along_curve;
 pub use tree::{Below, Tree};

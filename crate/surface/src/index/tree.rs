@@ -2,6 +2,10 @@
 
 use std::ops::Range;
 
+use glam::DVec3;
+
+use super::bounds::Bounds;
+
 /// A complete tree of nodes with `WIDTH` children each over `items`, `LEAF` of them a leaf, but for the last node and the last leaf:
 /// the root is 0, the children of node `i` are from `WIDTH i + 1` to `WIDTH i + WIDTH`, the leaves come last.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,6 +100,33 @@ impl<const WIDTH: usize, const LEAF: usize> Tree<WIDTH, LEAF> {
 }
 
 impl<const LEAF: usize> Tree<2, LEAF> {
+    /// Puts numbers of points in an order for the tree in which, whatever the distances between them, the points below a node are
+    /// near each other: those below its first child are lower than those below its second along the axis in which they lie farthest
+    /// apart (Bentley, "Multidimensional binary search trees used for associative searching", 1975).
+    #[must_use]
+    pub fn arranged(self, points: &[DVec3], mut numbers: Vec<u32>) -> Vec<u32> {
+        let counts = self.values(|leaf| leaf.len(), |one, other| one + other);
+        let mut order = vec![0; numbers.len()];
+        if !self.is_empty() {
+            self.arrange(0, &counts, points, &mut numbers, &mut order);
+        }
+        order
+    }
+
+    fn arrange(self, node: usize, counts: &[usize], points: &[DVec3], numbers: &mut [u32], order: &mut [u32]) {
+        let children = match self.below(node) {
+            Below::Items(items) => return order[items].copy_from_slice(numbers),
+            Below::Nodes(children) => children,
+        };
+        let axis = Bounds::of_points(numbers.iter().map(|&number| points[number as usize])).size().max_position();
+        let along = |number: u32| points[number as usize][axis];
+        let place = counts[children.start];
+        numbers.select_nth_unstable_by(place, |&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));
+        let (first, second) = numbers.split_at_mut(place);
+        self.arrange(children.start, counts, points, first, order);
+        self.arrange(children.start + 1, counts, points, second, order);
+    }
+
     /// Goes through the tree from the first item to the last. `enter` is told each node, with its items if it is a leaf and none
     /// otherwise, and answers whether to go on below.
     #[inline]
@@ -170,16 +201,16 @@ mod tests {
     #[cfg(target_arch = "wasm32")]
     use wasm_bindgen_test::wasm_bindgen_test as test;
 
-    use super::super::{Bounds, along_fine_curve};
     use super::*;
 
     const COUNTS: [usize; 8] = [0, 1, 3, 4, 5, 9, 100, 1000];
 
-    /// Points in the order of a curve.
+    /// Points in an order for the tree.
     fn points(count: usize) -> Vec<DVec3> {
         let mut random = SplitMix64::seed_from_u64(3);
         let points: Vec<DVec3> = (0..count).map(|_| DVec3::from_array(random.random())).collect();
-        along_fine_curve(&points).into_iter().map(|number| points[number as usize]).collect()
+        let order = Tree::<2, 4>::new(count).arranged(&points, (0..count as u32).collect());
+        order.into_iter().map(|number| points[number as usize]).collect()
     }
 
     fn boxes(tree: Tree<2, 4>, points: &[DVec3]) -> Vec<Bounds> {
@@ -251,6 +282,27 @@ mod tests {
                 assert!(holds.into_iter().eq((0..tree.len()).filter(|&node| boxes[node].holds(point))));
             }
         }
+    }
+
+    #[test]
+    fn the_nearest_is_found_in_few_looks_at_any_scale() {
+        let mut random = SplitMix64::seed_from_u64(8);
+        // Each cluster is a billionth of the one around it.
+        let mut cluster = |size: f64| (0..1000).map(|_| size * DVec3::from_array(random.random())).collect::<Vec<_>>();
+        let points = [1.0, 1e-9, 1e-18].map(&mut cluster).concat();
+        let tree = Tree::<2, 4>::new(points.len());
+        let order = tree.arranged(&points, (0..points.len() as u32).collect());
+        let boxes =
+            tree.values(|leaf| Bounds::of_points(order[leaf].iter().map(|&n| points[n as usize])), Bounds::around);
+        let mut looked = 0;
+        for point in &points {
+            let distance = |node: usize| boxes[node].squared_distance(Bounds::at(*point));
+            tree.nearest(f64::INFINITY, distance, |leaf, bound| {
+                looked += leaf.len();
+                order[leaf].iter().map(|&n| points[n as usize].distance_squared(*point)).fold(bound, f64::min)
+            });
+        }
+        assert!(looked < 12 * points.len(), "{looked}");
     }
 
     #[test]
