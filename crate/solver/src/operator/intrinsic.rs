@@ -61,7 +61,7 @@ impl IntrinsicTriangulation {
         require_triangles(lengths)?;
         let faces: Vec<[u32; 3]> = faces.iter().map(|face| face.map(|vertex| vertex.0)).collect();
         let corners = faces.as_flattened();
-        let count = corners.iter().max().map_or(0, |&last| last as usize + 1);
+        let count = corners.iter().max().map_or(0, |&last| (last as usize).saturating_add(1));
         let mut is_used = vec![false; count.min(corners.len() + 1)];
         for &corner in corners {
             is_used.get_mut(corner as usize).into_iter().for_each(|used| *used = true);
