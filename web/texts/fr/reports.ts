@@ -64,7 +64,7 @@ export const REPORTS: Texts = {
   'side {0} is not glued to another one that is glued back, runs between the same vertices the other way and is as long':
     'le côté {0} n’est pas collé à un autre qui lui est collé en retour, relie les mêmes sommets en sens inverse et a la même longueur',
   'the triangles at vertex {0} are not one fan in a sheet of its own, so it has no tangent plane; take a vertex for each fan':
-    'les triangles au sommet {0} ne forment pas un seul éventail sur un feuillet à part, il n’a donc pas de plan tangent ; prenez un sommet pour chaque éventail',
+    'les triangles au sommet {0} ne forment pas un seul éventail sur un feuillet à part, il n’a donc pas de plan tangent ; prenez un sommet pour chaque éventail',
   'the {0} matrix is not positive definite at vertex {1}: the triangles around it are degenerate; choose the Delaunay operator or repair the mesh there':
     'la matrice {0} n’est pas définie positive au sommet {1} : les triangles qui l’entourent sont dégénérés ; choisissez l’opérateur de Delaunay ou réparez le maillage à cet endroit',
   'conjugate gradients did not converge in {0} steps; choose the Cholesky solver':
