@@ -6,6 +6,9 @@ use glam::DVec3;
 
 use super::bounds::Bounds;
 
+/// Levels of a tree of two children a node at most: items are numbered in 32 bits. One node waits on each.
+const LEVELS: usize = 33;
+
 /// A complete tree of nodes with `WIDTH` children each over `items`, `LEAF` of them a leaf, but for the last node and the last leaf:
 /// the root is 0, the children of node `i` are from `WIDTH i + 1` to `WIDTH i + WIDTH`, the leaves come last.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -164,29 +167,30 @@ impl<const LEAF: usize> Tree<2, LEAF> {
         distance: impl Fn(usize) -> D,
         mut look: impl FnMut(Range<usize>, D) -> D,
     ) {
-        if !self.is_empty() && distance(0) < bound {
-            self.nearest_below(0, &mut bound, &distance, &mut look);
-        }
-    }
-
-    fn nearest_below<D: Copy + PartialOrd>(
-        self,
-        node: usize,
-        bound: &mut D,
-        distance: &impl Fn(usize) -> D,
-        look: &mut impl FnMut(Range<usize>, D) -> D,
-    ) {
-        if node >= self.inner {
-            *bound = look(self.leaf(node), *bound);
+        if self.is_empty() {
             return;
         }
-        let mut children = [2 * node + 1, 2 * node + 2].map(|child| (child, distance(child)));
-        if children[1].1 < children[0].1 {
-            children.swap(0, 1);
-        }
-        for (child, distance_of_child) in children {
-            if distance_of_child < *bound {
-                self.nearest_below(child, bound, distance, look);
+        let mut waiting = [(0, bound); LEVELS];
+        waiting[0] = (0, distance(0));
+        let mut count = 1;
+        while count > 0 {
+            count -= 1;
+            let mut nearest = waiting[count];
+            while nearest.1 < bound {
+                let (node, _) = nearest;
+                if node >= self.inner {
+                    bound = look(self.leaf(node), bound);
+                    break;
+                }
+                let [mut near, mut far] = [2 * node + 1, 2 * node + 2].map(|child| (child, distance(child)));
+                if far.1 < near.1 {
+                    (near, far) = (far, near);
+                }
+                if far.1 < bound {
+                    waiting[count] = far;
+                    count += 1;
+                }
+                nearest = near;
             }
         }
     }
