@@ -54,7 +54,7 @@ test('what is planted is found', () => {
 async function ofCrates(): Promise<string[]> {
   const root = new URL('../../crate/', import.meta.url).pathname;
   const paths = (await readdir(root, { recursive: true })).filter((path) =>
-    /^(surface|solver|volume|curves|viewer|basis)\/src\/(\w+\/)*error\.rs$/.test(path),
+    /^(model|surface|solver|volume|curves|viewer|basis)\/src\/(\w+\/)*error\.rs$/.test(path),
   );
   const files = await Promise.all(paths.map((path) => readFile(join(root, path), 'utf8')));
   const attributes = files.flatMap((source) => Array.from(source.matchAll(/#\[error\(\s*"((?:[^"\\]|\\.)*)"/gs)));

@@ -49,7 +49,7 @@ export async function models({ files, only }) {
 
 /** Milliseconds of looking for contacts, natively by one thread and in the worker. */
 async function contacts(page, files) {
-  const opening = example('heatwalk-surface', 'opening');
+  const opening = example('heatwalk-model', 'opening');
   const given = files.map((file) => ({ name: basename(file), bar: null, file: resolve(file) }));
   const rows = [];
   for (const { name, bar, file } of given.length > 0 ? given : assemblies()) {

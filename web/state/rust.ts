@@ -1,4 +1,4 @@
-/** The lines of Rust that give the distances of a scene again, by the crate `heatwalk`. */
+/** The lines of Rust that give the distances of a scene again, by the crates `heatwalk` and `heatwalk-model`. */
 import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
 import { type Measured, reproducedSources, type SurfaceSource } from './reproduce';
 
@@ -16,15 +16,17 @@ export function rustLines(measured: Measured): string {
   const sources = reproducedSources(measured, 'program');
   const used = new Set(['DistanceOptions', 'DistanceSolver', 'InputVertex', 'Method', 'Surface', 'go_on']);
   const use = (...names: string[]) => names.forEach((name) => used.add(name));
-  const body = [readLine(mesh, use)];
-  if (opened.active.length < opened.parts.length) body.push(`let soup = soup.chosen(&[${opened.active.join(', ')}])?;`);
+  const shape = /^shape:(\w+)$/.exec(mesh);
+  const body = [shape ? `let model = by_name("${shape[1]}")?;` : readLine(mesh)];
+  if (opened.active.length < opened.parts.length)
+    body.push(`let model = model.chosen(&[${opened.active.join(', ')}])?;`);
   const { clip, seconds, live } = state.animation;
-  if (live && clip !== null) body.push(`let soup = soup.posed(${clip}, ${float(seconds)})?;`);
-  body.push('let surface = Surface::build(&soup)?;', ...sourceLines(sources, use), ...solverLines(state, use));
+  if (live && clip !== null) body.push(`let model = model.posed(${clip}, ${float(seconds)})?;`);
+  body.push('let surface = Surface::build(&model.soup)?;', ...sourceLines(sources, use), ...solverLines(state, use));
   body.push(
     ...optionLines(state, field, use),
     'let distance = solver.distance(&sources, &options, &mut go_on)?.distance;',
-    'for input in 0..soup.positions.len() as u32 {',
+    'for input in 0..model.soup.positions.len() as u32 {',
     `${INDENT}let vertex = solver.surface().vertex_of_input(InputVertex(input));`,
     `${INDENT}println!("{input},{}", vertex.map_or(f64::INFINITY, |vertex| distance.values[vertex]));`,
     '}',
@@ -34,7 +36,7 @@ export function rustLines(measured: Measured): string {
     `//! Distances on ${mesh.replaceAll(/\s/g, ' ')}, as the page of Heatwalk shows them: a line of vertex,distance each.`,
     '',
     ...imported([...used].toSorted(byRust)),
-    ...(mesh.startsWith('shape:') ? ['use heatwalk_shapes::by_name;'] : []),
+    shape ? 'use heatwalk_shapes::by_name;' : 'use heatwalk_model::io;',
     '',
     'fn main() -> Result<(), Box<dyn std::error::Error>> {',
     ...body.map((line) => INDENT + line),
@@ -50,12 +52,9 @@ function byRust(one: string, other: string): number {
   return Number(/^[a-z]/.test(one)) - Number(/^[a-z]/.test(other)) || (one < other ? -1 : 1);
 }
 
-function readLine(mesh: string, use: Use): string {
-  const shape = /^shape:(\w+)$/.exec(mesh);
-  if (shape) return `let soup = by_name("${shape[1]}")?;`;
-  use('io');
+function readLine(mesh: string): string {
   const name = text(mesh);
-  return `let soup = io::read(${name}, &std::fs::read(${name})?, &|file| std::fs::read(file).ok())?;`;
+  return `let model = io::read(${name}, &std::fs::read(${name})?, &|file| std::fs::read(file).ok())?;`;
 }
 
 function sourceLines(sources: readonly SurfaceSource[], use: Use): string[] {

@@ -1,8 +1,8 @@
 //! A bounding volume hierarchy that is quickly made and handed over as two flat arrays.
 
 use glam::Vec3;
+use heatwalk_base::parallel;
 use heatwalk_surface::index::{Tree, along_curve};
-use heatwalk_surface::parallel;
 
 use crate::ray::{Hit, Ray, entry};
 

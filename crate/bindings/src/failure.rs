@@ -64,7 +64,7 @@ macro_rules! coded {
     };
 }
 
-coded!(heatwalk::Error, heatwalk::surface::Error);
+coded!(heatwalk::Error, heatwalk::surface::Error, heatwalk_model::Error);
 #[cfg(feature = "volume")]
 coded!(heatwalk_volume::Error, heatwalk_volume::fill::Error, heatwalk_volume::io::Error);
 

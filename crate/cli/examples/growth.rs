@@ -15,11 +15,11 @@ use std::time::Instant;
 
 use anyhow::{Context, Result};
 use glam::{DMat3, DVec3};
-use heatwalk::surface::parallel::ONE;
 use heatwalk::{
     BridgeRule, Bridges, Distance, DistanceOptions, DistanceSolver, Element, FaceId, Method, Path, Place, Soup,
     Surface, VertexId, Walls, WeldRule, descend, edge_polyline, go_on, straighten, straightest,
 };
+use heatwalk_base::parallel::ONE;
 use heatwalk_curves::{Field, Isolines, Levels, Sheet, Strips, write};
 use heatwalk_shapes as shapes;
 use peak_alloc::PeakAlloc;

@@ -38,14 +38,14 @@ fn info(arguments: &Info) -> Result<String> {
     let mut report = Report::default();
     report.push_surface(surface.report());
     report.push_unit(input.unit);
-    report.push_warnings(&input.file.warnings);
+    report.push_warnings(&input.file.soup.warnings);
     let mut solver = DistanceSolver::on_threads(Arc::clone(&surface), arguments.mesh.threads());
     let join_ms = join(&mut solver, &arguments.bridging)?;
     report.push_joined(solver.joined());
     report.push_build(surface.report());
     report.push("mean_edge", surface.mean_edge());
-    report.push_parts(&input.file);
-    report.push_animations(&input.file);
+    report.push_parts(&input.file.soup);
+    report.push_animations(&input.file.motion);
     report.push("missing", input.file.appearance.missing.clone());
     report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "join": join_ms }));
     Ok(report.render(arguments.mesh.json))

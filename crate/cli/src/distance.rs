@@ -34,7 +34,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
         together(&mut prepared.solver, &sources, asked, &mut report)?
     };
     if let Some(output) = output {
-        output.write(&input.soup, arguments.axis.up, &columns)?;
+        output.write(&input.model, arguments.axis.up, &columns)?;
     }
     report.push("factor_nonzeros", prepared.solver.heat().map_or(0, HeatSolver::factor_nonzeros));
     if let Some(heat) = prepared.solver.heat() {

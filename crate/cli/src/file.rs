@@ -6,7 +6,7 @@ use std::path::{Component, Path};
 
 use anyhow::{Context, Result, bail, ensure};
 use flate2::read::MultiGzDecoder;
-use heatwalk::io::{self, Archive, Budget, Resources};
+use heatwalk_model::io::{self, Archive, Budget, Resources};
 use heatwalk_volume::io::Format;
 
 /// The first bytes of what gzip has packed (RFC 1952, 2.3.1).

@@ -29,7 +29,7 @@ pub fn fill(arguments: &Fill) -> Result<String> {
     let threads = arguments.mesh.threads();
     let (surface, mut build_ms) = build(&input, arguments.mesh.weld, threads)?;
     let start = Instant::now();
-    let solid = Solid::new(&input.soup, &surface, threads)?;
+    let solid = Solid::new(&input.model.soup, &surface, threads)?;
     build_ms += milliseconds(start);
     let estimate = solid.estimate(resolution)?;
     let start = Instant::now();
@@ -44,7 +44,7 @@ pub fn fill(arguments: &Fill) -> Result<String> {
     let mut report = Report::default();
     report.push_surface(surface.report());
     report.push_unit(input.unit);
-    report.push_warnings(&input.file.warnings);
+    report.push_warnings(&input.file.soup.warnings);
     push(&mut report, &filled.report, &estimate);
     report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "fill": fill_ms }));
     Ok(report.render(true))

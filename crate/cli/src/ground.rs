@@ -9,8 +9,9 @@ use std::sync::Arc;
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use clap::{Args, ValueEnum};
 use glam::DVec3;
-use heatwalk::io::text;
 use heatwalk::{Costs, DistanceSolver, FaceData, InputTriangle, InputVertex, Soup, Surface, Up, Walls, tobler};
+use heatwalk_model::Model;
+use heatwalk_model::io::text;
 use heatwalk_volume::{TetMesh, TetSoup};
 
 /// Ground of different difficulty.
@@ -60,14 +61,14 @@ const COST_OF_BLACK: f64 = 10.0;
 
 impl Ground {
     /// Puts these on a solver's surface.
-    pub fn lay(&self, solver: &mut DistanceSolver, soup: &Soup, up: Up) -> Result<()> {
+    pub fn lay(&self, solver: &mut DistanceSolver, model: &Model, up: Up) -> Result<()> {
         let surface = Arc::clone(solver.whole());
         if let Some(path) = &self.walls {
-            solver.set_walls(&walls(path, soup, &surface)?)?;
+            solver.set_walls(&walls(path, &model.soup, &surface)?)?;
         }
         let weights = match &self.weights {
-            Some(Weights::File(path)) => Some(of_file(path, soup, &surface)?),
-            Some(Weights::Attribute(name)) => Some(of_attribute(name, soup, &surface)?),
+            Some(Weights::File(path)) => Some(of_file(path, &model.soup, &surface)?),
+            Some(Weights::Attribute(name)) => Some(of_attribute(name, model, &surface)?),
             None => None,
         };
         let slope = self.slope_cost.map(|SlopeCost::Tobler| Costs::of_slope(&surface, axis(up), tobler)).transpose()?;
@@ -201,10 +202,10 @@ fn of_file(path: &Path, soup: &Soup, surface: &Surface) -> Result<Costs> {
     Ok(Costs::new(surface, costs)?)
 }
 
-fn of_attribute(name: &str, soup: &Soup, surface: &Surface) -> Result<Costs> {
+fn of_attribute(name: &str, model: &Model, surface: &Surface) -> Result<Costs> {
     let of_vertex: Vec<f64> = if name == COLOR {
-        let colors = &soup.appearance.colors;
-        ensure!(colors.len() == soup.positions.len(), "the file gives its vertices no colors");
+        let colors = &model.appearance.colors;
+        ensure!(colors.len() == model.soup.positions.len(), "the file gives its vertices no colors");
         // Luminance of linear light (ITU-R BT.709).
         let luminance = |&[red, green, blue, _]: &[u16; 4]| {
             [(red, 0.2126), (green, 0.7152), (blue, 0.0722)]
@@ -214,7 +215,7 @@ fn of_attribute(name: &str, soup: &Soup, surface: &Surface) -> Result<Costs> {
         };
         colors.iter().map(|color| COST_OF_BLACK.powf(1.0 - luminance(color))).collect()
     } else {
-        soup.attribute(name)?.to_vec()
+        model.soup.attribute(name)?.to_vec()
     };
     Costs::of_input_vertices(surface, &of_vertex).with_context(|| format!("--weights attribute:{name}"))
 }

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
-use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{LengthUnit, Soup, UnitRule, Warning, io};
+use heatwalk::{LengthUnit, UnitRule, Warning};
+use heatwalk_model::{Error, Model, io};
 use heatwalk_shapes as shapes;
 use heatwalk_volume::io::{self as volume, Format};
 
@@ -20,9 +20,9 @@ pub const SHAPE: &str = "shape:";
 /// The chosen parts of a file.
 pub struct Input {
     /// All of the file, with its animations, as its nodes stand.
-    pub file: Soup,
+    pub file: Model,
     /// The chosen parts in the chosen pose, over all vertices and triangles of the file.
-    pub soup: Soup,
+    pub model: Model,
     pub read_ms: f64,
     /// Of all of the file.
     pub unit: LengthUnit,
@@ -40,11 +40,11 @@ impl Input {
         let read_ms = milliseconds(start);
         let unit = match (shape, unit) {
             (Some(_), UnitRule::Automatic) => LengthUnit::default(),
-            _ => file.length_unit(unit),
+            _ => file.soup.length_unit(unit),
         };
-        tell(path, &file.warnings);
-        let soup = if parts.is_empty() { file.clone() } else { file.chosen(parts)? };
-        Ok(Self { file, soup, read_ms, unit })
+        tell(path, &file.soup.warnings);
+        let model = if parts.is_empty() { file.clone() } else { file.chosen(parts)? };
+        Ok(Self { file, model, read_ms, unit })
     }
 
     /// What the arguments of a command name.
@@ -59,19 +59,19 @@ impl Input {
             "--time {seconds} is after the end of the animation {}, which lasts {end} s",
             motion.clips()[clip].name
         );
-        Ok(Self { soup: input.soup.posed(clip, seconds)?, ..input })
+        Ok(Self { model: input.model.posed(clip, seconds)?, ..input })
     }
 }
 
-fn read_mesh(path: &Path) -> Result<Soup> {
+fn read_mesh(path: &Path) -> Result<Model> {
     file::open(path, |file| {
         if Format::of_name(file.name).is_some() {
-            return volume::read_surface_within(file.budget, file.name, file.bytes, file.resources)
-                .with_context(|| path.display().to_string());
+            let soup = volume::read_surface_within(file.budget, file.name, file.bytes, file.resources);
+            return Ok(soup.with_context(|| path.display().to_string())?.into());
         }
         match io::read_within(file.budget, file.name, file.bytes, file.resources) {
             // It names the file itself.
-            Err(error @ SurfaceError::UnknownFormat { .. }) => Err(error.into()),
+            Err(error @ Error::UnknownFormat { .. }) => Err(error.into()),
             read => read.with_context(|| path.display().to_string()),
         }
     })

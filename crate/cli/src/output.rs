@@ -10,8 +10,9 @@ use std::sync::Arc;
 
 use anyhow::{Context, Result, bail};
 use glam::DVec3;
-use heatwalk::io::write;
-use heatwalk::{Soup, Up};
+use heatwalk::Up;
+use heatwalk_model::Model;
+use heatwalk_model::io::write;
 use heatwalk_volume::TetSoup;
 use heatwalk_volume::io::write as volume;
 use tempfile::{Builder, NamedTempFile};
@@ -77,18 +78,18 @@ impl Output<DistanceFormat> {
     }
 
     /// `columns`: named distances, one value an input vertex; a single column unless it was made for several.
-    pub fn write(&self, soup: &Soup, up: Up, columns: &[(String, Vec<f64>)]) -> Result<()> {
+    pub fn write(&self, model: &Model, up: Up, columns: &[(String, Vec<f64>)]) -> Result<()> {
         let (_, first) = &columns[0];
         let turned = || {
-            let mut turned = soup.clone();
-            turned.positions.iter_mut().for_each(|position| *position = up.turned(*position));
+            let mut turned = model.clone();
+            turned.soup.positions.iter_mut().for_each(|position| *position = up.turned(*position));
             let normals = &mut Arc::make_mut(&mut turned.appearance).normals;
             normals.iter_mut().for_each(|normal| *normal = up.turned(normal.as_dvec3()).as_vec3());
             turned
         };
         self.save(&match self.format {
             DistanceFormat::Csv => distance_csv(columns),
-            DistanceFormat::Ply => write::distance_ply(&turned(), first),
+            DistanceFormat::Ply => write::distance_ply(&turned().soup, first),
             DistanceFormat::Glb => write::distance_glb(&turned(), first),
         })
     }

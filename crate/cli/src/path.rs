@@ -33,12 +33,12 @@ pub fn path(arguments: &Path) -> Result<String> {
     let options = arguments.distance_options()?;
     let output = arguments.output.as_deref().map(Output::path).transpose()?;
     let input = Input::of(&arguments.mesh)?;
-    arguments.from.check(&input.soup)?;
-    arguments.to.check(&input.soup)?;
+    arguments.from.check(&input.model.soup)?;
+    arguments.to.check(&input.model.soup)?;
     let (solver, mut report, build_ms) =
         walkable(&input, &arguments.mesh, &arguments.bridging, (&arguments.ground, arguments.axis.up))?;
-    let from = arguments.from.on(&input.soup, solver.surface())?;
-    let to = arguments.to.on(&input.soup, solver.surface())?;
+    let from = arguments.from.on(&input.model.soup, solver.surface())?;
+    let to = arguments.to.on(&input.model.soup, solver.surface())?;
     let mut prepared = prepare((solver, build_ms), &options)?;
     let found = if arguments.exact {
         exactly(&mut prepared.solver, from, to)?

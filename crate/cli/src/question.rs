@@ -21,11 +21,14 @@ pub struct Posed {
 /// Reads, checks and prepares. `up`: the axis of the file that slopes are measured against.
 pub fn pose(question: &Question, up: Up, options: &DistanceOptions) -> Result<Posed> {
     let input = Input::of(&question.mesh)?;
-    question.sources.iter().try_for_each(|source| source.place.check(&input.soup))?;
-    question.lines.iter().try_for_each(|line| line.check(&input.soup))?;
+    question.sources.iter().try_for_each(|source| source.place.check(&input.model.soup))?;
+    question.lines.iter().try_for_each(|line| line.check(&input.model.soup))?;
     let (solver, report, build_ms) = walkable(&input, &question.mesh, &question.bridging, (&question.ground, up))?;
-    let mut sources =
-        question.sources.iter().map(|source| source.on(&input.soup, solver.surface())).collect::<Result<Vec<_>>>()?;
+    let mut sources = question
+        .sources
+        .iter()
+        .map(|source| source.on(&input.model.soup, solver.surface()))
+        .collect::<Result<Vec<_>>>()?;
     for line in &question.lines {
         sources.extend(line.on(solver.surface(), question.closed)?);
     }
@@ -44,12 +47,12 @@ pub fn walkable(
     let threads = mesh.threads();
     let (surface, built_ms) = build(input, mesh.weld, threads)?;
     let mut solver = DistanceSolver::on_threads(surface, threads);
-    ground.lay(&mut solver, &input.soup, up)?;
+    ground.lay(&mut solver, &input.model, up)?;
     let join_ms = join(&mut solver, bridging)?;
     let mut report = Report::default();
     report.push_surface(solver.whole().report());
     report.push_unit(input.unit);
-    report.push_warnings(&input.file.warnings);
+    report.push_warnings(&input.file.soup.warnings);
     report.push_joined(solver.joined());
     Ok((solver, report, built_ms + join_ms))
 }

@@ -3,8 +3,9 @@
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use heatwalk::surface::motion::Clip;
 use heatwalk::{BuildReport, Joined, LengthUnit, Link, Soup, Stage, Unit, Warning};
+use heatwalk_model::Motion;
+use heatwalk_model::motion::Clip;
 use serde_json::{Map, Value, json};
 
 pub fn milliseconds(start: Instant) -> f64 {
@@ -86,12 +87,12 @@ impl Report {
     }
 
     /// The animations of a file that has some.
-    pub fn push_animations(&mut self, soup: &Soup) {
+    pub fn push_animations(&mut self, motion: &Motion) {
         let animation = |(index, clip): (usize, &Clip)| {
             let Clip { name, left_out, .. } = clip;
             json!({ "animation": index, "name": name, "seconds": clip.duration(), "left_out": left_out })
         };
-        self.push("animations", soup.motion.clips().iter().enumerate().map(animation).collect::<Vec<_>>());
+        self.push("animations", motion.clips().iter().enumerate().map(animation).collect::<Vec<_>>());
     }
 
     pub fn render(self, json: bool) -> String {

@@ -12,11 +12,12 @@ pub fn sentence(error: &Error) -> String {
 
 fn code(error: &Error) -> Option<&'static str> {
     error.chain().find_map(|cause| {
+        let model = || cause.downcast_ref::<heatwalk_model::Error>().map(heatwalk_model::Error::code);
         let surface = || cause.downcast_ref::<heatwalk::surface::Error>().map(heatwalk::surface::Error::code);
         let volume = || cause.downcast_ref::<heatwalk_volume::Error>().map(heatwalk_volume::Error::code);
         let file = || cause.downcast_ref::<heatwalk_volume::io::Error>().map(heatwalk_volume::io::Error::code);
         let solver = cause.downcast_ref::<heatwalk::Error>().map(heatwalk::Error::code);
-        solver.or_else(surface).or_else(volume).or_else(file)
+        solver.or_else(surface).or_else(model).or_else(volume).or_else(file)
     })
 }
 
@@ -37,7 +38,7 @@ mod tests {
 
     #[test]
     fn a_remedy_follows_the_whole_sentence() {
-        let missing = heatwalk::surface::Error::MissingResource { uri: "a.bin".to_owned() };
+        let missing = heatwalk_model::Error::MissingResource { uri: "a.bin".to_owned() };
         let inner = Err::<(), _>(missing).context("m.gltf").unwrap_err();
         assert_eq!(sentence(&inner), "m.gltf: the file refers to a.bin, which was not given; put it beside the mesh");
         let nested = heatwalk::Error::Surface(heatwalk::surface::Error::OutOfMemory { stage: "building" });

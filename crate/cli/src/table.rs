@@ -4,11 +4,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 use anyhow::{Context, Result};
-use heatwalk::surface::parallel::ONE;
 use heatwalk::{
     DistanceOptions, DistanceSolver, LinearSolver, Method, MultiSource, RelativeError, UnitRule, VertexId, WeldRule,
     go_on,
 };
+use heatwalk_base::parallel::ONE;
 use serde_json::{Value, json};
 
 use crate::answer::Answer;

@@ -18,7 +18,7 @@ use crate::report::milliseconds;
 
 pub fn build(input: &Input, weld: WeldRule, threads: NonZeroUsize) -> Result<(Arc<Surface>, f64)> {
     let start = Instant::now();
-    let surface = Surface::build_by(&input.soup, weld, threads)?;
+    let surface = Surface::build_by(&input.model.soup, weld, threads)?;
     Ok((Arc::new(surface), milliseconds(start)))
 }
 

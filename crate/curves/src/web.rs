@@ -1,8 +1,9 @@
 //! The interface to JavaScript.
 
 use glam::DVec3;
-use heatwalk::{Soup, Up, io};
+use heatwalk::{Soup, Up};
 use heatwalk_bindings::{Failure, Message, Result, resources, transform};
+use heatwalk_model::{Model, io};
 use js_sys::Function;
 use wasm_bindgen::prelude::*;
 
@@ -142,7 +143,7 @@ impl Curves {
 pub fn distance_file(kind: &str, positions: &[f64], triangles: &[u32], distances: &[f64]) -> Result<Vec<u8>> {
     let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
     let soup = Soup::single("surface", positions, triangles.as_chunks().0.to_vec());
-    distances_in(kind, &soup, distances)
+    distances_in(kind, &soup.into(), distances)
 }
 
 /// The same of some parts of a mesh file, with its materials where the kind of file has these. `resource` gives the bytes of files
@@ -164,16 +165,16 @@ pub fn distance_file_of(
     distances_in(kind, &file.chosen(&parts)?, distances)
 }
 
-fn distances_in(kind: &str, soup: &Soup, distances: &[f64]) -> Result<Vec<u8>> {
-    if soup.positions.len() != distances.len() {
+fn distances_in(kind: &str, model: &Model, distances: &[f64]) -> Result<Vec<u8>> {
+    if model.soup.positions.len() != distances.len() {
         return Err(Failure::misuse("there is not one distance for each vertex of the file"));
     }
     Ok(match kind {
         "csv" => io::write::distance_csv(&[("distance", distances)]),
         "npy" => io::write::distance_npy(distances),
-        "ply" => io::write::distance_ply(soup, distances),
-        "weights.ply" => io::write::weights_ply(soup, distances),
-        "glb" => io::write::distance_glb(soup, distances),
+        "ply" => io::write::distance_ply(&model.soup, distances),
+        "weights.ply" => io::write::weights_ply(&model.soup, distances),
+        "glb" => io::write::distance_glb(model, distances),
         _ => return Err(Failure::misuse("there is no such file of distances")),
     })
 }

@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
-use heatwalk_curves::{Error, Field, Isolines, Levels, Sheet, Strips, write, write::View};
+use heatwalk_curves::write::View;
+use heatwalk_curves::{Error, Field, Isolines, Levels, Sheet, Strips, write};
 use heatwalk_shapes as shapes;
 use heatwalk_surface::{Soup, Surface};
 

@@ -17,9 +17,9 @@ use std::sync::Arc;
 use glam::DVec3;
 use heatwalk::{Soup, Surface};
 use heatwalk_bindings::{Failure, Result, resources, transform};
+use heatwalk_model::Model;
 use heatwalk_volume::fill::{Resolution, Solid};
-use heatwalk_volume::io;
-use heatwalk_volume::{TetMesh, TetSoup, shapes};
+use heatwalk_volume::{TetMesh, TetSoup, io, shapes};
 use js_sys::{Float64Array, Function, Uint32Array};
 use wasm_bindgen::prelude::*;
 
@@ -67,7 +67,7 @@ impl Tetrahedra {
         bytes: &[u8],
         #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
     ) -> Result<Vec<u8>> {
-        Ok(io::read_surface(name, bytes, &resources(resource))?.packed())
+        Ok(Model::from(io::read_surface(name, bytes, &resources(resource))?).packed())
     }
 
     /// Makes a shape.

@@ -4,8 +4,9 @@
 #![cfg(target_arch = "wasm32")]
 
 use glam::DVec3;
-use heatwalk::{Up, io};
+use heatwalk::Up;
 use heatwalk_bindings::{Result, resources};
+use heatwalk_model::io;
 use js_sys::Function;
 use wasm_bindgen::prelude::*;
 
@@ -24,9 +25,9 @@ impl ReadMesh {
         bytes: &[u8],
         #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
     ) -> Result<Self> {
-        let soup = io::read(name, bytes, &resources(resource))?;
+        let model = io::read(name, bytes, &resources(resource))?;
         let up = io::upward(name, bytes).map(|up| if up == DVec3::Z { Up::Z } else { Up::Y });
-        Ok(Self { packed: soup.packed(), up })
+        Ok(Self { packed: model.packed(), up })
     }
 
     /// What points up by the rules of its format; undefined where that says nothing.

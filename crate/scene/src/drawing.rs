@@ -3,11 +3,12 @@
 use std::f64::consts::PI;
 
 use glam::{DVec3, Vec3};
+use heatwalk_base::union_find::UnionFind;
+use heatwalk_model::appearance::Run;
 
-use heatwalk::surface::appearance::Run;
 use heatwalk::surface::triangle;
-use heatwalk::surface::union_find::UnionFind;
-use heatwalk::{Appearance, FaceData, FaceId, HalfedgeId, InputVertex, Surface, VertexData, VertexId};
+use heatwalk::{FaceData, FaceId, HalfedgeId, InputVertex, Surface, VertexData, VertexId};
+use heatwalk_model::Appearance;
 
 use crate::transform::DrawTransform;
 

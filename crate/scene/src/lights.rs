@@ -1,7 +1,7 @@
 //! Lights of a file as the renderer takes them.
 
 use glam::{Vec3, Vec4};
-use heatwalk::surface::{Light, LightKind};
+use heatwalk_model::{Light, LightKind};
 
 use crate::transform::DrawTransform;
 

@@ -1,11 +1,12 @@
-//! A drawing that moves: drawn vertices in the poses of a soup.
+//! A drawing that moves: drawn vertices in the poses of a model.
 
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
-use heatwalk::surface::motion::Pose;
-use heatwalk::surface::{Result, triangle};
-use heatwalk::{Motion, Soup, Surface, VertexData};
+use heatwalk::surface::triangle;
+use heatwalk::{Surface, VertexData};
+use heatwalk_model::motion::Pose;
+use heatwalk_model::{Model, Motion, Result};
 
 use crate::drawing::DrawMesh;
 use crate::transform::DrawTransform;
@@ -36,14 +37,14 @@ pub struct Posing {
 }
 
 impl Posing {
-    /// Of a drawing of the surface that was built from this soup; none where the soup does not move.
-    pub fn new(soup: &Soup, drawing: &DrawMesh) -> Option<Self> {
-        if !soup.motion.moves() {
+    /// Of a drawing of the surface that was built from this model; none where the model does not move.
+    pub fn new(model: &Model, drawing: &DrawMesh) -> Option<Self> {
+        if !model.motion.moves() {
             return None;
         }
-        let rest = soup.pose();
+        let rest = model.pose();
         Some(Self {
-            motion: Arc::clone(&soup.motion),
+            motion: Arc::clone(&model.motion),
             pose: rest.clone(),
             rest,
             inputs: drawing.input_of_drawn.iter().map(|input| input.0).collect(),
@@ -109,7 +110,7 @@ impl Posing {
 #[cfg(test)]
 mod tests {
     use glam::DQuat;
-    use heatwalk::surface::motion::{
+    use heatwalk_model::motion::{
         Channel, Clip, Deformer, Influences, Interpolation, Node, NodeTree, Placement, Target, Track,
     };
     use heatwalk_shapes as shapes;
@@ -118,13 +119,13 @@ mod tests {
     use crate::drawing::draw_mesh;
 
     /// A box that turns about y once in a second, by a quarter turn at each keyframe.
-    fn turning() -> Soup {
-        let mut soup = shapes::by_name("ring").expect("a shape");
+    fn turning() -> Model {
+        let mut model = shapes::by_name("ring").expect("a shape");
         let deformer = Deformer {
-            vertices: 0..soup.positions.len(),
+            vertices: 0..model.soup.positions.len(),
             node: 0,
             skin: None,
-            positions: soup.positions.clone(),
+            positions: model.soup.positions.clone(),
             normals: Vec::new(),
             influences: Influences::default(),
             targets: Vec::new(),
@@ -137,21 +138,21 @@ mod tests {
         let channels = vec![Channel { node: 0, target: Target::Rotation(track) }];
         let hierarchy = NodeTree::new(vec![Node { parent: None, placement: Placement::IDENTITY }]).expect("a node");
         let clip = Clip { name: "turn".to_owned(), channels, left_out: 0 };
-        soup.motion = Arc::new(Motion::new(hierarchy, Vec::new(), vec![deformer], vec![clip]).expect("a motion"));
-        soup
+        model.motion = Arc::new(Motion::new(hierarchy, Vec::new(), vec![deformer], vec![clip]).expect("a motion"));
+        model
     }
 
     #[test]
     fn a_turned_drawing_is_the_drawing_of_the_turned_surface() {
-        let soup = turning();
-        let surface = Surface::build(&soup).expect("a surface");
-        let drawing = draw_mesh(&surface, &soup.appearance, 0.8, &DrawTransform::IDENTITY);
-        let mut posing = Posing::new(&soup, &drawing).expect("it moves");
+        let model = turning();
+        let surface = Surface::build(&model.soup).expect("a surface");
+        let drawing = draw_mesh(&surface, &model.appearance, 0.8, &DrawTransform::IDENTITY);
+        let mut posing = Posing::new(&model, &drawing).expect("it moves");
         for seconds in [0.0, 0.1, 0.6] {
             posing.take(Some((0, seconds))).expect("a pose");
             let posed = posing.draw(&DrawTransform::IDENTITY);
             let moved = surface.posed(posing.positions(&surface));
-            let expected = draw_mesh(&moved, &soup.appearance, 0.8, &DrawTransform::IDENTITY);
+            let expected = draw_mesh(&moved, &model.appearance, 0.8, &DrawTransform::IDENTITY);
             assert_eq!(posed.positions, expected.positions);
             // Of angles in single precision.
             let apart = |(a, b): (&f32, &f32)| (a - b).abs() > 1e-5;

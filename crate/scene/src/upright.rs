@@ -165,10 +165,10 @@ mod tests {
     #[test]
     fn shapes_are_y_up_and_turned_ones_that_stand_are_not() {
         for name in shapes::names() {
-            assert_eq!(upright(&shapes::by_name(name).expect("a shape")), Up::Y, "{name}");
+            assert_eq!(upright(&shapes::by_name(name).expect("a shape").soup), Up::Y, "{name}");
         }
         for name in ["skull", "horse"] {
-            let turned = changed(shapes::by_name(name).expect("a shape"), |p| DVec3::new(p.x, -p.z, p.y));
+            let turned = changed(shapes::by_name(name).expect("a shape").soup, |p| DVec3::new(p.x, -p.z, p.y));
             assert_eq!(upright(&turned), Up::Z, "{name}");
         }
     }

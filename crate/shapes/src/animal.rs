@@ -1,9 +1,9 @@
 //! A cow.
 
 use glam::{DMat3, DVec3};
+use heatwalk_surface::Soup;
 
 use super::figure::{Figure, ball, ellipsoid, ground, limb, turned_ellipsoid};
-use heatwalk_surface::Soup;
 
 /// A cow with horns, ears, an udder, cloven hoofs and a tail with its tuft. It stands on y = 0 and looks along +x, 2.9
 /// long. Below a `spacing` of 0.026 no horn is lost.

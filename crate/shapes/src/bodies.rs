@@ -1,10 +1,10 @@
 //! Smooth bodies with handles.
 
 use glam::{DVec2, DVec3};
+use heatwalk_surface::Soup;
 
 use super::figure::smooth_min;
 use super::implicit;
-use heatwalk_surface::Soup;
 
 /// Frame of a tetrahedron, one corner up: a rounded tetrahedron with a hole from its middle through each face, so genus 3.
 /// `spacing` is the length of an edge; the body is 3.9 wide.

@@ -1,9 +1,9 @@
 //! A standing horse.
 
 use glam::{DMat3, DVec3};
+use heatwalk_surface::Soup;
 
 use super::figure::{Figure, ball, ellipsoid, ground, limb, turned_ellipsoid};
-use heatwalk_surface::Soup;
 
 /// A horse with an arched neck, a mane, a long tail and four hoofs. It stands on y = 0 and looks along +x, 2.6 high.
 /// Below a `spacing` of 0.028 no ear is lost.

@@ -1,6 +1,9 @@
 //! Generated surfaces: everything a page or a test needs without a file. All are deterministic, `y` is up, triangles
 //! are counter-clockwise seen from outside.
 
+use heatwalk_model::Model;
+use heatwalk_surface::{Error, Result};
+
 mod animal;
 mod bodies;
 mod figure;
@@ -25,8 +28,6 @@ pub use skull::skull;
 pub use terrain::terrain;
 pub use triceratops::triceratops;
 pub use village::village;
-
-use heatwalk_surface::{Error, Result, Soup};
 
 const NAMES: [&str; 15] = [
     "animal",
@@ -57,10 +58,10 @@ pub fn names() -> &'static [&'static str] {
 ///
 /// # Errors
 /// [`Error::BadParameter`] for a name that is not in [`names`].
-pub fn by_name(name: &str) -> Result<Soup> {
-    Ok(match name {
+pub fn by_name(name: &str) -> Result<Model> {
+    let soup = match name {
         "animal" => animal(0.024),
-        "robot" => robot(0.036),
+        "robot" => return Ok(robot(0.036)),
         "horse" => horse(0.022),
         "triceratops" => triceratops(0.032),
         "skull" => skull(0.032),
@@ -77,5 +78,6 @@ pub fn by_name(name: &str) -> Result<Soup> {
         _ => {
             return Err(Error::BadParameter { name: "shape", value: name.to_owned(), range: NAMES_IN_WORDS });
         }
-    })
+    };
+    Ok(soup.into())
 }

@@ -1,9 +1,9 @@
 //! A maze: a flat road with many corners and the walls that bound it.
 
 use glam::DVec3;
+use heatwalk_surface::Soup;
 use std::collections::HashMap;
 
-use heatwalk_surface::Soup;
 use rand::{Rng, SeedableRng};
 use rand_xoshiro::SplitMix64;
 

@@ -4,8 +4,7 @@ use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
-
-use heatwalk_surface::soup::{Part, Soup};
+use heatwalk_surface::{Part, Soup};
 
 /// Unit sphere from an icosahedron whose triangles are split in four `subdivisions` times: `20 · 4^subdivisions`
 /// triangles, nearly equilateral.

@@ -3,10 +3,10 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::{DMat3, DVec3};
+use heatwalk_surface::Soup;
 
 use super::figure::{Figure, Part, ball, ellipsoid, limb, turned_ellipsoid};
 use super::parametric::revolve;
-use heatwalk_surface::Soup;
 
 /// Looking along +x, 2.1 high. Part 0, "skull": cranium, face and upper teeth in one piece, whose two handles are the
 /// zygomatic arches. Part 1, "lower jaw", with its teeth. Part 2, "hollows": open bowls that line the orbits and the

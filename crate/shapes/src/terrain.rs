@@ -1,9 +1,9 @@
 //! A hilly height field of value noise.
 
 use glam::{DVec2, DVec3};
+use heatwalk_surface::Soup;
 
 use super::parametric::grid;
-use heatwalk_surface::Soup;
 
 const SEED: u32 = 0x9e37_79b9;
 const OCTAVES: u32 = 5;

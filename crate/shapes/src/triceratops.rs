@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use glam::{DMat3, DVec3};
+use heatwalk_surface::Soup;
 
 use super::figure::{Figure, ball, ellipsoid, ground, limb, turned_ellipsoid};
-use heatwalk_surface::Soup;
 
 /// A triceratops with its frill, three horns, a beak and toes. It stands on y = 0 and looks along +x, 4.3 long. Below a
 /// `spacing` of 0.036 no horn is lost.

@@ -1,9 +1,9 @@
 //! A village on soft hills: houses, and yards with walls and gates, as one height field.
 
 use glam::{DVec2, DVec3};
+use heatwalk_surface::Soup;
 
 use super::parametric::grid;
-use heatwalk_surface::Soup;
 
 /// Cells along each side.
 const CELLS: u32 = 120;

@@ -97,7 +97,7 @@ fn smallest_angles(soup: &Soup, part: usize) -> Vec<f64> {
 #[test]
 fn every_name_gives_a_valid_soup_of_page_size() {
     for &name in shapes::names() {
-        let soup = shapes::by_name(name).unwrap();
+        let soup = shapes::by_name(name).unwrap().soup;
         let triangles = soup.triangles.len();
         assert!((5_000..=50_000).contains(&triangles), "{name}: {triangles} triangles");
         assert!(soup.positions.iter().all(|position| position.is_finite()), "{name}");
@@ -131,7 +131,7 @@ fn topology_of_closed_shapes() {
         ("icosphere", 0),
         ("uv_sphere", 0),
     ] {
-        let soup = shapes::by_name(name).unwrap();
+        let soup = shapes::by_name(name).unwrap().soup;
         let welded = weld(&soup, 0);
         assert_eq!(welded.boundary_edges(), 0, "{name}");
         assert_eq!(welded.components(), 1, "{name}");
@@ -143,7 +143,7 @@ fn topology_of_closed_shapes() {
 #[test]
 fn topology_of_open_shapes() {
     for (name, characteristic) in [("hemisphere", 1), ("terrain", 1), ("strip", 1)] {
-        let welded = weld(&shapes::by_name(name).unwrap(), 0);
+        let welded = weld(&shapes::by_name(name).unwrap().soup, 0);
         assert_eq!((welded.components(), welded.euler_characteristic()), (1, characteristic), "{name}");
         assert!(welded.boundary_edges() > 0, "{name}");
     }
@@ -208,7 +208,7 @@ fn spheres_lie_on_the_sphere() {
 #[test]
 fn implicit_bodies_are_well_shaped() {
     for name in ["animal", "horse", "triceratops", "skull", "high_genus", "ring"] {
-        let soup = shapes::by_name(name).unwrap();
+        let soup = shapes::by_name(name).unwrap().soup;
         let triangles = soup.parts[0].len();
         assert!((10_000..=50_000).contains(&triangles), "{name}: {triangles} triangles");
         let angles = smallest_angles(&soup, 0);
@@ -221,7 +221,7 @@ fn implicit_bodies_are_well_shaped() {
 #[test]
 fn figures_stand_on_the_ground_and_are_symmetric() {
     for name in ["animal", "horse", "triceratops"] {
-        let soup = shapes::by_name(name).unwrap();
+        let soup = shapes::by_name(name).unwrap().soup;
         let lowest = soup.positions.iter().map(|position| position.y).fold(f64::INFINITY, f64::min);
         // The rim of the cut at the ground is rounded.
         assert!(lowest.abs() < 0.02, "{name}: {lowest}");
@@ -236,7 +236,7 @@ fn figures_stand_on_the_ground_and_are_symmetric() {
 
 #[test]
 fn the_skull_has_a_closed_jaw_and_stand_and_open_hollows() {
-    let soup = shapes::by_name("skull").unwrap();
+    let soup = shapes::by_name("skull").unwrap().soup;
     let names: Vec<&str> = soup.parts.iter().map(|part| part.name.as_str()).collect();
     assert_eq!(names, ["skull", "lower jaw", "hollows", "stand"]);
     for (part, rims, components) in [(1, 0, 1), (2, 3, 3), (3, 0, 1)] {
@@ -253,29 +253,30 @@ fn the_skull_has_a_closed_jaw_and_stand_and_open_hollows() {
 #[test]
 fn shapes_are_deterministic() {
     for name in shapes::names() {
-        assert_eq!(shapes::by_name(name).unwrap(), shapes::by_name(name).unwrap(), "{name}");
+        assert_eq!(shapes::by_name(name).unwrap().soup, shapes::by_name(name).unwrap().soup, "{name}");
     }
 }
 
 #[test]
 fn a_robot_is_made_of_closed_parts_in_materials() {
-    let robot = shapes::robot(0.06);
+    let model = shapes::robot(0.06);
+    let robot = &model.soup;
     assert_eq!(robot.parts.len(), 33);
     for (index, part) in robot.parts.iter().enumerate() {
-        let welded = weld(&robot, index);
+        let welded = weld(robot, index);
         assert!(welded.is_oriented_manifold(), "{}", part.name);
         let shape = (welded.boundary_edges(), welded.components(), welded.euler_characteristic());
         assert_eq!(shape, (0, 1, 2), "{}", part.name);
         // Outward: about its own middle, not that of the robot.
-        let vertices = part.triangles().flat_map(|triangle| corners(&robot, triangle));
+        let vertices = part.triangles().flat_map(|triangle| corners(robot, triangle));
         let middle = vertices.sum::<DVec3>() / (3 * part.len()) as f64;
         let signed = |triangle: usize| {
-            let [a, b, c] = corners(&robot, triangle).map(|corner| corner - middle);
+            let [a, b, c] = corners(robot, triangle).map(|corner| corner - middle);
             a.dot(b.cross(c))
         };
         assert!(part.triangles().map(signed).sum::<f64>() > 0.0, "{}", part.name);
     }
-    let appearance = &robot.appearance;
+    let appearance = &model.appearance;
     assert_eq!((appearance.runs.len(), appearance.images.len()), (33, 4));
     assert!(appearance.runs.iter().all(|run| run.material.is_some_and(|index| index < appearance.materials.len())));
     let lowest = robot.positions.iter().map(|position| position.y).fold(f64::INFINITY, f64::min);
@@ -289,11 +290,11 @@ fn the_parts_of_a_robot_stay_together_as_it_moves() {
     assert_eq!(clips.iter().map(|clip| clip.name.as_str()).collect::<Vec<_>>(), ["Wave", "Walk"]);
     for (number, clip) in clips.iter().enumerate() {
         for step in 0..=8 {
-            let posed = robot.posed(number, clip.duration() * f64::from(step) / 8.0).unwrap();
+            let posed = robot.posed(number, clip.duration() * f64::from(step) / 8.0).unwrap().soup;
             let surface = Surface::build(&posed).unwrap();
             let bridges = Bridges::find(&surface, BridgeRule::Automatic);
             assert_eq!(bridges.group_count(), 1, "{} at {step}/8", clip.name);
-            let apart = posed.positions.iter().zip(&robot.positions).map(|(a, b)| a.distance(*b));
+            let apart = posed.positions.iter().zip(&robot.soup.positions).map(|(a, b)| a.distance(*b));
             let moved = apart.fold(0.0, f64::max);
             assert!(step % 8 == 0 && number == 0 || moved > 0.1, "{} at {step}/8: {moved}", clip.name);
             assert!(moved < if step % 8 == 0 && number == 0 { 1e-12 } else { 2.5 }, "{moved}");

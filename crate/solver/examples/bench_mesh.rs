@@ -10,7 +10,8 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-use heatwalk::{Element, FaceId, Soup, Surface, VertexId, io};
+use heatwalk::{Element, FaceId, Soup, Surface, VertexId};
+use heatwalk_model::io;
 use heatwalk_shapes as shapes;
 use serde_json::json;
 
@@ -52,10 +53,10 @@ fn in_input_order(name: &str, surface: &Surface) -> Soup {
 fn read(input: &str) -> Result<Soup, Box<dyn Error>> {
     Ok(match input.split_once(':') {
         Some(("icosphere", level)) => shapes::icosphere(level.parse()?),
-        Some(("preset", name)) => shapes::by_name(name)?.select(&[0])?,
+        Some(("preset", name)) => shapes::by_name(name)?.soup.select(&[0])?,
         // Part 1 is the stand.
         Some(("hemisphere", frequency)) => shapes::hemisphere(frequency.parse()?).select(&[0])?,
-        _ => io::read(input, &fs::read(input)?, &|uri| fs::read(Path::new(input).with_file_name(uri)).ok())?,
+        _ => io::read(input, &fs::read(input)?, &|uri| fs::read(Path::new(input).with_file_name(uri)).ok())?.soup,
     })
 }
 

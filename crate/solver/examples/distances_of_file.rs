@@ -2,14 +2,15 @@
 
 use heatwalk::{
     BridgeRule, Bridges, DistanceOptions, DistanceSolver, InputTriangle, InputVertex, Method, Place, Surface, Windows,
-    go_on, io,
+    go_on,
 };
+use heatwalk_model::io;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let soup = io::read("a \"cow\".glb", &std::fs::read("a \"cow\".glb")?, &|file| std::fs::read(file).ok())?;
-    let soup = soup.chosen(&[1])?;
-    let soup = soup.posed(1, 0.5)?;
-    let surface = Surface::build(&soup)?;
+    let model = io::read("a \"cow\".glb", &std::fs::read("a \"cow\".glb")?, &|file| std::fs::read(file).ok())?;
+    let model = model.chosen(&[1])?;
+    let model = model.posed(1, 0.5)?;
+    let surface = Surface::build(&model.soup)?;
     let vertex = |input| surface.vertex_of_input(InputVertex(input)).ok_or("a vertex without a triangle");
     let face = |index| surface.face_of_triangle(InputTriangle(index)).ok_or("a triangle without area");
     let sources = [
@@ -25,7 +26,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let windows = Windows::AtMost(4.try_into()?);
     let options = DistanceOptions { windows, ..DistanceOptions::by(Method::Propagation) };
     let distance = solver.distance(&sources, &options, &mut go_on)?.distance;
-    for input in 0..soup.positions.len() as u32 {
+    for input in 0..model.soup.positions.len() as u32 {
         let vertex = solver.surface().vertex_of_input(InputVertex(input));
         println!("{input},{}", vertex.map_or(f64::INFINITY, |vertex| distance.values[vertex]));
     }

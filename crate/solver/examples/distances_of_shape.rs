@@ -6,8 +6,8 @@ use heatwalk::{
 use heatwalk_shapes::by_name;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let soup = by_name("torus")?;
-    let surface = Surface::build(&soup)?;
+    let model = by_name("torus")?;
+    let surface = Surface::build(&model.soup)?;
     let vertex = |input| surface.vertex_of_input(InputVertex(input)).ok_or("a vertex without a triangle");
     let sources = [(Place::Vertex(vertex(7)?), 0.0)];
     let mut solver = DistanceSolver::new(surface);
@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let options = DistanceOptions { heat, ..DistanceOptions::by(Method::Heat) };
     let distance = solver.distance(&sources, &options, &mut go_on)?.distance;
-    for input in 0..soup.positions.len() as u32 {
+    for input in 0..model.soup.positions.len() as u32 {
         let vertex = solver.surface().vertex_of_input(InputVertex(input));
         println!("{input},{}", vertex.map_or(f64::INFINITY, |vertex| distance.values[vertex]));
     }

@@ -20,7 +20,8 @@ use faer::{Conj, MatMut, Par, Side, Spec};
 use heatwalk::operator::Operators;
 use heatwalk::operator::laplacian::Laplacian;
 use heatwalk::sparse::{Permutation, Symbolic, SymmetricMatrix};
-use heatwalk::{Operator, Surface, go_on, io};
+use heatwalk::{Operator, Surface, go_on};
+use heatwalk_model::io;
 use serde_json::{Value, json};
 
 /// Each time is the median of so many. Ours and faer's are taken in turn.
@@ -28,7 +29,7 @@ const ROUNDS: usize = 7;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).ok_or("give a mesh")?;
-    let soup = io::read(&path, &fs::read(&path)?, &|_| None)?;
+    let soup = io::read(&path, &fs::read(&path)?, &|_| None)?.soup;
     let surface = Surface::build(&soup)?;
     let operators = Operators::new(&surface, Operator::Delaunay);
     let laplacian = operators.laplacian();

@@ -14,7 +14,8 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use heatwalk::exact::exact_distance;
-use heatwalk::{Element, HeatSolver, Parameters, Place, Surface, VertexId, descend, go_on, io, straighten};
+use heatwalk::{Element, HeatSolver, Parameters, Place, Surface, VertexId, descend, go_on, straighten};
+use heatwalk_model::io;
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::SplitMix64;
 
@@ -39,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let folder = path.parent().unwrap_or(Path::new(""));
-    let soup = io::read(&name, &fs::read(path)?, &|uri| fs::read(folder.join(uri)).ok())?;
+    let soup = io::read(&name, &fs::read(path)?, &|uri| fs::read(folder.join(uri)).ok())?.soup;
     let surface = Arc::new(Surface::build(&soup)?);
     let solver = HeatSolver::new(Arc::clone(&surface), Parameters::default(), &mut go_on)?;
     let mut random = SplitMix64::seed_from_u64(1);

@@ -7,7 +7,8 @@ use std::error::Error;
 use std::fs;
 use std::time::Instant;
 
-use heatwalk::{Boundary, Element, HeatSolver, Parameters, Place, Surface, TimeStep, VertexId, edge_path, go_on, io};
+use heatwalk::{Boundary, Element, HeatSolver, Parameters, Place, Surface, TimeStep, VertexId, edge_path, go_on};
+use heatwalk_model::io;
 use serde_json::{Value, json};
 
 const SINGLES: usize = 10;
@@ -18,7 +19,7 @@ const LINE: usize = 100;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args().nth(1).ok_or("give a mesh")?;
-    let soup = io::read(&path, &fs::read(&path)?, &|_| None)?;
+    let soup = io::read(&path, &fs::read(&path)?, &|_| None)?.soup;
     let start = Instant::now();
     let mut solver = HeatSolver::new(Surface::build(&soup)?, Parameters::default(), &mut go_on)?;
     let precompute = milliseconds(start);

@@ -10,11 +10,12 @@
 use std::collections::{BTreeSet, HashSet};
 use std::sync::Arc;
 
+use heatwalk_surface::{Place, Source, VertexId};
+
 use crate::distance::{Distance, PlaceKey, PortalCrossing, key};
 use crate::error::Result;
 use crate::exact::ExactGeometry;
 use crate::propagation::{Propagation, PropagationOptions, REFRACTED, Windows};
-use heatwalk_surface::{Place, Source, VertexId};
 
 /// Sources, and after them the corners of the faces by which paths from these enter other components, as sources with an
 /// initial distance.

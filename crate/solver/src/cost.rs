@@ -6,9 +6,9 @@ use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use glam::DVec3;
+use heatwalk_surface::{Element, FaceData, FaceId, InputVertex, Path, PathPoint, Surface, VertexData};
 
 use crate::error::{Error, Result};
-use heatwalk_surface::{Element, FaceData, FaceId, InputVertex, Path, PathPoint, Surface, VertexData};
 
 /// Cost of each face of a surface: how much a unit of length counts there.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,12 +4,12 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
+use heatwalk_base::csr::NONE;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{Element, VertexId, triangle};
+
 use crate::cost::Costs;
 use crate::error::{Error, Result};
-use heatwalk_surface::csr::NONE;
-use heatwalk_surface::surface::Surface;
-use heatwalk_surface::triangle;
-use heatwalk_surface::{Element, VertexId};
 
 /// The shortest path along edges from one vertex to another, both included; one vertex where they are the same.
 ///

@@ -2,10 +2,11 @@
 
 use std::collections::HashMap;
 
-use crate::cost::Costs;
-use crate::error::{Error, Result};
 use heatwalk_surface::edges::EdgeNames;
 use heatwalk_surface::{Place, Source, Surface, SurfaceId, ToPoint, VertexData};
+
+use crate::cost::Costs;
+use crate::error::{Error, Result};
 
 /// Distance from a set of sources.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,7 +3,7 @@
 
 use std::hint::select_unpredictable;
 
-use heatwalk_surface::lanes::{Choice, Lanes};
+use heatwalk_base::lanes::{Choice, Lanes};
 
 const HAS_LANES: bool = cfg!(all(target_arch = "wasm32", target_feature = "simd128"));
 

@@ -5,12 +5,11 @@
 use std::ops::Range;
 
 use glam::DVec3;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{FaceData, VertexData, triangle};
 
 use crate::distance::Distance;
 use crate::error::Result;
-use heatwalk_surface::surface::Surface;
-use heatwalk_surface::triangle;
-use heatwalk_surface::{FaceData, VertexData};
 
 /// Squared lengths that neither under- nor overflow, however small a part of them is.
 const PLAIN_SQUARES: Range<f64> = 1e-280..1e280;

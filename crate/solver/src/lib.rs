@@ -85,10 +85,9 @@ pub use footprint::{footprint, require_room};
 pub use heat::{Factorization, HeatSolver, Query, Refinement};
 pub use heatwalk_sparse::{Progress, Stage, go_on};
 pub use heatwalk_surface::{
-    Appearance, BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh,
-    InputTriangle, InputVertex, LengthUnit, Link, Motion, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface,
-    SurfaceId, SurfacePoint, ToPoint, ToSource, Unit, UnitRule, VertexData, VertexId, Walls, Warning, WarningCode,
-    WeldRule, io,
+    BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle,
+    InputVertex, LengthUnit, Link, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId,
+    SurfacePoint, ToPoint, ToSource, Unit, UnitRule, VertexData, VertexId, Walls, Warning, WarningCode, WeldRule,
 };
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,

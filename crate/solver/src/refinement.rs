@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use heatwalk_surface::{ToSource, VertexId, memory};
+
 use crate::distance::Distance;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::extremum::smaller;
-use heatwalk_surface::{ToSource, VertexId, memory};
 
 /// What is being done where memory does not suffice.
 const STAGE: &str = "refining to exact distances";

@@ -61,7 +61,7 @@ fn a_surface_in_pieces_has_nearly_the_distances_of_the_whole() {
 
 #[test]
 fn exact_distances_of_parts_are_nowhere_longer_than_by_a_few_windows() {
-    let surface = Arc::new(Surface::build(&shapes::by_name("robot").expect("a shape")).expect("a surface"));
+    let surface = Arc::new(Surface::build(&shapes::by_name("robot").expect("a shape").soup).expect("a surface"));
     let bridges = Bridges::find(&surface, BridgeRule::Automatic);
     let portals = Arc::new(ExactGeometry::new(Arc::clone(&surface)).bridged(&bridges));
     for source in [0, 1000] {

@@ -94,7 +94,7 @@ fn lines_along_edges_part_the_faces_on_their_sides() {
 
 #[test]
 fn the_equator_halves_a_sphere_through_vertices_and_places_in_faces() {
-    let surface = surface(&shapes::by_name("icosphere").expect("a shape"));
+    let surface = surface(&shapes::by_name("icosphere").expect("a shape").soup);
     let around = |z: f64| -> Vec<VertexId> {
         let at = |turn: f64| (std::f64::consts::TAU * turn).sin_cos();
         [0.0, 0.2, 0.4, 0.6, 0.8].map(|turn| nearest(&surface, DVec3::new(at(turn).1, at(turn).0, z))).to_vec()
@@ -115,7 +115,7 @@ fn the_equator_halves_a_sphere_through_vertices_and_places_in_faces() {
 
 #[test]
 fn around_a_torus_there_are_no_two_sides() {
-    let surface = surface(&shapes::by_name("torus").expect("a shape"));
+    let surface = surface(&shapes::by_name("torus").expect("a shape").soup);
     let far = surface.vertices().max_by(|&a, &b| surface.position(a).x.total_cmp(&surface.position(b).x));
     let far = surface.position(far.expect("vertices"));
     let axes = [DVec3::X, DVec3::Y, DVec3::Z];

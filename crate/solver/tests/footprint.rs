@@ -47,7 +47,7 @@ fn the_memory_told_is_the_memory_taken() {
         ("sphere", sphere()),
         ("loose sphere", loose(&sphere())),
         ("hemisphere", shapes::hemisphere(120).select(&[0]).expect("a part")),
-        ("maze", shapes::by_name("maze").expect("a shape")),
+        ("maze", shapes::by_name("maze").expect("a shape").soup),
     ];
     for (name, soup) in shapes {
         for windows in [1, 2, 8] {

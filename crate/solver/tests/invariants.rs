@@ -13,9 +13,10 @@ use glam::{DQuat, DVec3};
 use heatwalk::operator::Operators;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Appearance, Boundary, Distance, Element, Error, FaceId, HeatSolver, Operator, Parameters, Place, Soup, Stage,
-    VertexData, VertexId, go_on,
+    Boundary, Distance, Element, Error, FaceId, HeatSolver, Operator, Parameters, Place, Soup, Stage, VertexData,
+    VertexId, go_on,
 };
+use heatwalk_model::Appearance;
 use heatwalk_scene::{DrawTransform, draw_mesh};
 use heatwalk_shapes as shapes;
 

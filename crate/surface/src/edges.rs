@@ -5,9 +5,10 @@ use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::csr::{Csr, NONE};
+use heatwalk_base::csr::{Csr, NONE};
+use heatwalk_base::parallel::{self, Numbers};
+
 use crate::element::{Element, FaceId, HalfedgeId, VertexId};
-use crate::parallel::{self, Numbers};
 
 /// The corners of each vertex, by the half-edges that leave them.
 pub type Corners = Csr<VertexId, HalfedgeId>;

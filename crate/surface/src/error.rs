@@ -10,38 +10,6 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// The file's extension and first bytes match no reader.
-    #[error("{name}: not a mesh format known here; use glTF, GLB, OBJ, OFF, PLY, STL, 3MF or VTK")]
-    UnknownFormat {
-        /// File name as given.
-        name: String,
-    },
-    /// The file breaks the rules of its format.
-    #[error("{format}, {place}: {problem}")]
-    Malformed {
-        /// Format, for example `"PLY"`.
-        format: &'static str,
-        /// Where: a line, a byte offset or the name of an element.
-        place: String,
-        /// What is wrong and what to do about it.
-        problem: String,
-    },
-    /// The file needs something that is not read here (a compression extension, say).
-    #[error("{format}: {feature} is not supported; {remedy}")]
-    Unsupported {
-        /// Format, for example `"glTF"`.
-        format: &'static str,
-        /// What is needed.
-        feature: String,
-        /// What to do.
-        remedy: String,
-    },
-    /// A file that this one refers to was not given.
-    #[error("the file refers to {uri}, which was not given")]
-    MissingResource {
-        /// The reference as written in the file.
-        uri: String,
-    },
     /// No triangle is left to work on.
     #[error("no triangles: {reason}")]
     Empty {
@@ -91,20 +59,6 @@ pub enum Error {
         name: String,
         /// The names that there are, separated by commas.
         names: String,
-    },
-    /// There is no such clip.
-    #[error("there is no animation {clip}; {}", if clips.is_empty() { "the file has none".to_owned() } else { format!("the file has {clips}") })]
-    NoSuchClip {
-        /// The name or number asked for.
-        clip: String,
-        /// The names that there are, separated by commas.
-        clips: String,
-    },
-    /// Parts of a motion do not fit together.
-    #[error("the motion cannot be used: {problem}")]
-    Motion {
-        /// What does not fit.
-        problem: String,
     },
     /// There is no such vertex: of the input, or of the surface where a surface was asked.
     #[error("vertex {vertex} does not exist; there are {vertices}, counted from 0")]
@@ -182,18 +136,6 @@ pub enum Error {
         /// The range allowed.
         range: &'static str,
     },
-    /// A file asks for more memory than one of its size may take: see [`Budget`](crate::io::Budget).
-    #[error(
-        "the file takes more than {} of memory, the most that a file of {} may take; it is damaged or made to fill memory, save it again",
-        of_bytes(*.budget),
-        of_bytes(*.size)
-    )]
-    OverBudget {
-        /// Bytes of the file, and of those that it refers to.
-        size: u64,
-        /// Bytes that it may take.
-        budget: u64,
-    },
     /// Something other than the factors does not fit into memory.
     #[error("out of memory while {stage}")]
     OutOfMemory {
@@ -206,10 +148,6 @@ impl Error {
     /// Names the kind of failure, in kebab case. It stays the same between versions; messages may not.
     pub fn code(&self) -> &'static str {
         match self {
-            Self::UnknownFormat { .. } => "unknown-format",
-            Self::Malformed { .. } => "malformed",
-            Self::Unsupported { .. } => "unsupported",
-            Self::MissingResource { .. } => "missing-resource",
             Self::Empty { .. } => "empty",
             Self::IndexOutOfRange { .. } => "index-out-of-range",
             Self::NotFinite { .. } => "not-finite",
@@ -217,8 +155,6 @@ impl Error {
             Self::SourceInWall { .. } => "source-in-wall",
             Self::NoSuchPart { .. } => "no-such-part",
             Self::NoSuchAttribute { .. } => "no-such-attribute",
-            Self::NoSuchClip { .. } => "no-such-clip",
-            Self::Motion { .. } => "motion",
             Self::NoSuchVertex { .. } => "no-such-vertex",
             Self::UnreferencedVertex { .. } => "unreferenced-vertex",
             Self::NotAdjacent { .. } => "not-adjacent",
@@ -229,17 +165,7 @@ impl Error {
             Self::NotOnFace { .. } => "not-on-face",
             Self::ForeignSurface { .. } => "foreign-surface",
             Self::BadParameter { .. } => "bad-parameter",
-            Self::OverBudget { .. } => "over-budget",
             Self::OutOfMemory { .. } => "out-of-memory",
         }
-    }
-}
-
-/// Bytes in words.
-fn of_bytes(bytes: u64) -> String {
-    match bytes {
-        0..1_000 => format!("{bytes} bytes"),
-        1_000..1_000_000 => format!("{:.0} KB", bytes as f64 / 1e3),
-        _ => format!("{:.0} MB", bytes as f64 / 1e6),
     }
 }

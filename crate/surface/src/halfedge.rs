@@ -2,10 +2,11 @@
 
 use std::num::NonZeroUsize;
 
-use crate::csr::NONE;
+use heatwalk_base::csr::NONE;
+use heatwalk_base::parallel;
+
 use crate::edges::Corners;
 use crate::element::{CutVertex, CutVertexData, Element, FaceId, HalfedgeId, VertexId};
-use crate::parallel;
 
 /// Oriented manifold triangle connectivity. Every half-edge has a twin and a next: boundary loops are capped by
 /// boundary faces, whose half-edges run against the triangles beside them.

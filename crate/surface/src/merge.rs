@@ -3,10 +3,9 @@
 use std::num::NonZeroUsize;
 
 use glam::DVec3;
-
-use crate::csr::NONE;
-use crate::parallel::{self, Numbers};
-use crate::sort::Sorted;
+use heatwalk_base::csr::NONE;
+use heatwalk_base::parallel::{self, Numbers};
+use heatwalk_base::sort::Sorted;
 
 /// Welded vertex of each used input vertex ([`NONE`] elsewhere) and position of each welded one, in order of the first input
 /// vertex there.

@@ -4,11 +4,11 @@
 use std::num::NonZeroUsize;
 
 use glam::DVec3;
+use heatwalk_base::parallel::{self, Numbers};
+use heatwalk_base::sort::Sorted;
 
 use crate::element::{InputTriangle, VertexId};
 use crate::index::along_curve;
-use crate::parallel::{self, Numbers};
-use crate::sort::Sorted;
 
 /// Smaller surfaces stay in the processor's caches whatever their order.
 const LEAST_VERTICES: usize = 1 << 14;
@@ -50,8 +50,8 @@ pub fn sort_faces(faces: &mut Vec<[VertexId; 3]>, vertices: usize, threads: NonZ
     let first = |face: usize| faces[face].iter().map(|vertex| vertex.0).min().unwrap_or_default();
     let keys = parallel::collect(faces.len(), threads, first);
     let order = Sorted::new(&keys, vertices.ilog2() + 1, threads);
-    *faces = parallel::collect(order.len(), threads, |place| faces[order.number(place) as usize]);
-    parallel::collect(order.len(), threads, |place| InputTriangle(order.number(place)))
+    *faces = parallel::collect(order.count(), threads, |place| faces[order.number(place) as usize]);
+    parallel::collect(order.count(), threads, |place| InputTriangle(order.number(place)))
 }
 
 /// Whether the numbers of a triangle's vertices are far apart in the mean, or those of successive triangles, as a sample tells.

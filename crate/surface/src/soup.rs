@@ -1,14 +1,10 @@
 //! Triangle soup: what a file holds, before any connectivity.
 
-use std::borrow::Cow;
 use std::ops::Range;
-use std::sync::Arc;
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
-use crate::appearance::Appearance;
 use crate::error::{Error, Result};
-use crate::motion::{Motion, Pose};
 use crate::triangle;
 use crate::unit::{LengthUnit, Unit, UnitRule};
 use crate::warning::Warning;
@@ -18,10 +14,10 @@ use crate::warning::Warning;
 #[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
 pub struct Soup {
     /// `#V × 3`, input vertices in file order, in the file's unit, node transforms applied.
-    #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
+    #[cfg_attr(feature = "packed", serde(with = "heatwalk_base::packed::plain"))]
     pub positions: Vec<DVec3>,
     /// `#F × 3`, indices into `positions`, in file order. The triangles of a polygon follow each other, in the order of its corners.
-    #[cfg_attr(feature = "packed", serde(with = "crate::packed::plain"))]
+    #[cfg_attr(feature = "packed", serde(with = "heatwalk_base::packed::plain"))]
     pub triangles: Vec<[u32; 3]>,
     /// The parts in file order, no triangle in two.
     pub parts: Vec<Part>,
@@ -29,14 +25,6 @@ pub struct Soup {
     pub inactive: Vec<Range<usize>>,
     /// Of the positions; None where the format does not say.
     pub unit: Option<Unit>,
-    /// How the file wants it to look.
-    pub appearance: Arc<Appearance>,
-    /// How the file lets it move.
-    pub motion: Arc<Motion>,
-    /// Whence the file wants it to be seen.
-    pub cameras: Vec<Camera>,
-    /// By what the file wants it to be lit.
-    pub lights: Vec<Light>,
     /// Further numbers that the file gives each vertex.
     pub attributes: Vec<Attribute>,
     /// What was left out of the file, or taken otherwise than it is written.
@@ -52,67 +40,6 @@ pub struct Attribute {
     pub name: String,
     /// `#V`; NaN where the file has none.
     pub values: Vec<f64>,
-}
-
-/// A camera of a file, as it stands while nothing moves.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
-pub struct Camera {
-    /// Name in the file, or a made one.
-    pub name: String,
-    /// Where it is, in the file's unit.
-    pub position: DVec3,
-    /// Unit vector to what it looks at.
-    pub forward: DVec3,
-    /// How much of it is seen.
-    pub projection: Projection,
-}
-
-/// How a camera projects.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
-pub enum Projection {
-    /// To a point.
-    Perspective {
-        /// Vertical, in radians, between 0 and π.
-        field_of_view: f64,
-    },
-    /// Along its line of sight.
-    Orthographic {
-        /// Of what is seen, in the file's unit; positive.
-        height: f64,
-    },
-}
-
-/// A light of a file, as it stands while nothing moves.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
-pub struct Light {
-    /// Where its light goes.
-    pub kind: LightKind,
-    /// Where it is, in the file's unit.
-    pub position: DVec3,
-    /// Unit vector to where it shines.
-    pub forward: DVec3,
-    /// Linear red, green and blue times its strength: in lux for one that is far away, else in candela.
-    pub color: Vec3,
-}
-
-/// Where the light of a light goes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "packed", derive(serde::Serialize, serde::Deserialize))]
-pub enum LightKind {
-    /// It comes from far away.
-    Directional,
-    /// In all directions.
-    Point,
-    /// Into a cone.
-    Spot {
-        /// Angle from its axis up to which it is whole; radians.
-        inner: f64,
-        /// Angle from which on there is none; radians, up to π/2.
-        outer: f64,
-    },
 }
 
 /// A selectable piece of a file: a glTF mesh node, an OBJ group or object, an object of a 3MF file, a whole OFF, PLY or STL file.
@@ -213,76 +140,15 @@ impl Soup {
         }
     }
 
-    /// Other triangles over its vertices, as one part: with the vertices that they use, in file order, without materials and
-    /// without motion.
+    /// Other triangles over its vertices, as one part: with the vertices that they use, in file order.
     ///
     /// # Errors
     /// [`Error::IndexOutOfRange`] where a triangle names a missing vertex.
     pub fn with_triangles(&self, name: &str, triangles: Vec<[u32; 3]>) -> Result<Self> {
-        let mut other = Self { triangles, ..self.bare() };
+        let is_kept = self.used_by(triangles.iter().copied().enumerate())?;
+        let mut other = self.over(&is_kept, triangles);
         other.end_part(name);
-        let mut used = vec![false; self.positions.len()];
-        for (triangle, corners) in other.triangles.iter().enumerate() {
-            self.mark(triangle, *corners, &mut used)?;
-        }
-        Ok(self.place(other, &used))
-    }
-
-    /// What is not about its vertices.
-    fn bare(&self) -> Self {
-        Self {
-            unit: self.unit,
-            cameras: self.cameras.clone(),
-            lights: self.lights.clone(),
-            warnings: self.warnings.clone(),
-            ..Self::default()
-        }
-    }
-
-    /// Marks the vertices of a triangle.
-    fn mark(&self, triangle: usize, corners: [u32; 3], used: &mut [bool]) -> Result<()> {
-        let vertices = self.positions.len();
-        for vertex in corners {
-            let missing = Error::IndexOutOfRange { triangle, vertex: vertex.into(), vertices };
-            *used.get_mut(vertex as usize).ok_or(missing)? = true;
-        }
-        Ok(())
-    }
-
-    /// Gives the triangles of another soup, which are over the vertices of this one, those that are used.
-    fn place(&self, mut other: Self, used: &[bool]) -> Self {
-        let of_used = |attribute: &Attribute| {
-            let values = attribute.values.iter().zip(used).filter(|&(_, &used)| used).map(|(&value, _)| value);
-            Attribute { name: attribute.name.clone(), values: values.collect() }
-        };
-        other.attributes = self.attributes.iter().map(of_used).collect();
-        let mut renumbered = vec![u32::MAX; self.positions.len()];
-        for (vertex, _) in used.iter().enumerate().filter(|&(_, &used)| used) {
-            renumbered[vertex] = other.positions.len() as u32;
-            other.positions.push(self.positions[vertex]);
-        }
-        for corner in other.triangles.iter_mut().flatten() {
-            *corner = renumbered[*corner as usize];
-        }
-        other
-    }
-
-    /// Where its vertices are.
-    pub fn pose(&self) -> Pose {
-        Pose { positions: self.positions.clone(), normals: self.appearance.normals.clone() }
-    }
-
-    /// The soup in the pose that it has so many seconds after the beginning of a clip, at whose end it stops; with normals of that
-    /// pose, and without motion.
-    ///
-    /// # Errors
-    /// As [`Motion::apply`].
-    pub fn posed(&self, clip: usize, seconds: f64) -> Result<Self> {
-        let mut pose = self.pose();
-        self.motion.apply(clip, seconds, &mut pose)?;
-        let Pose { positions, normals } = pose;
-        let appearance = Arc::new(Appearance { normals, ..Appearance::clone(&self.appearance) });
-        Ok(Self { positions, appearance, motion: Arc::default(), ..self.clone() })
+        Ok(other)
     }
 
     /// The triangles of the surface, as ranges of `triangles`, ascending.
@@ -304,26 +170,48 @@ impl Soup {
     /// keeps every vertex, used or not.
     ///
     /// # Errors
-    /// [`Error::NoSuchPart`]; [`Error::IndexOutOfRange`] where a chosen triangle names a missing vertex.
+    /// As [`Self::selection`].
     pub fn select(&self, parts: &[usize]) -> Result<Self> {
-        let chosen = self.parts_of(parts)?;
-        if chosen.len() == self.parts.len() {
-            return Ok(self.clone());
-        }
-        let mut used = vec![false; self.positions.len()];
-        for triangle in chosen.iter().flat_map(Part::triangles) {
-            self.mark(triangle, self.triangles[triangle], &mut used)?;
-        }
-        let ranges = joined(&chosen);
-        Ok(self.taking(chosen, &ranges, &used))
+        Ok(self.take(self.selection(parts)?))
     }
 
-    /// Without the triangles that are no part of the surface; all vertices stay.
-    pub fn surface_alone(&self) -> Cow<'_, Self> {
-        if self.inactive.is_empty() {
-            return Cow::Borrowed(self);
+    /// What [`Self::select`] takes.
+    ///
+    /// # Errors
+    /// [`Error::NoSuchPart`]; [`Error::IndexOutOfRange`] where a chosen triangle names a missing vertex.
+    pub fn selection(&self, parts: &[usize]) -> Result<Selection> {
+        let parts = self.parts_of(parts)?;
+        if parts.len() == self.parts.len() {
+            return Ok(self.active());
         }
-        Cow::Owned(self.taking(self.parts.clone(), &self.ranges(), &vec![true; self.positions.len()]))
+        let ranges = joined(&parts);
+        let triangles = ranges.iter().cloned().flatten();
+        let is_kept = self.used_by(triangles.map(|triangle| (triangle, self.triangles[triangle])))?;
+        Ok(Selection { parts, ranges, is_kept })
+    }
+
+    /// All but the triangles that are no part of the surface.
+    #[must_use]
+    pub fn active(&self) -> Selection {
+        Selection { parts: self.parts.clone(), ranges: self.ranges(), is_kept: vec![true; self.positions.len()] }
+    }
+
+    /// A selection of it as a soup of its own.
+    #[must_use]
+    pub fn take(&self, selection: Selection) -> Self {
+        let Selection { mut parts, ranges, is_kept } = selection;
+        // How many triangles come before each range.
+        let before: Vec<usize> =
+            ranges.iter().scan(0, |sum, range| Some(std::mem::replace(sum, *sum + range.len()))).collect();
+        for part in &mut parts {
+            for range in std::mem::take(&mut part.ranges) {
+                let index = ranges.partition_point(|joined| joined.end <= range.start);
+                let start = before[index] + range.start - ranges[index].start;
+                part.add(start..start + range.len());
+            }
+        }
+        let triangles = ranges.into_iter().flat_map(|range| &self.triangles[range]).copied().collect();
+        Self { parts, ..self.over(&is_kept, triangles) }
     }
 
     /// Some of its parts, in file order.
@@ -336,29 +224,66 @@ impl Soup {
         Ok(self.parts.iter().zip(is_chosen).filter(|&(_, is_chosen)| is_chosen).map(|(part, _)| part.clone()).collect())
     }
 
-    /// Some ranges of triangles, all parts in them, and the vertices that are `used`, which are those of these triangles at least.
-    fn taking(&self, parts: Vec<Part>, ranges: &[Range<usize>], used: &[bool]) -> Self {
-        let mut selection = Self { parts, ..self.bare() };
-        selection.triangles.extend(ranges.iter().flat_map(|range| &self.triangles[range.clone()]));
-        let triangles = ranges.iter().cloned().flatten();
-        if !self.appearance.is_empty() {
-            selection.appearance = Arc::new(self.appearance.select(triangles, used));
-        }
-        if !self.motion.is_empty() {
-            let vertices = used.iter().enumerate().filter(|&(_, &used)| used).map(|(vertex, _)| vertex);
-            selection.motion = Arc::new(self.motion.select(vertices));
-        }
-        // How many triangles come before each range.
-        let before: Vec<usize> =
-            ranges.iter().scan(0, |sum, range| Some(std::mem::replace(sum, *sum + range.len()))).collect();
-        for part in &mut selection.parts {
-            for range in std::mem::take(&mut part.ranges) {
-                let index = ranges.partition_point(|joined| joined.end <= range.start);
-                let start = before[index] + range.start - ranges[index].start;
-                part.add(start..start + range.len());
+    /// `#V`, whether numbered triangles use a vertex.
+    fn used_by(&self, triangles: impl Iterator<Item = (usize, [u32; 3])>) -> Result<Vec<bool>> {
+        let vertices = self.positions.len();
+        let mut is_used = vec![false; vertices];
+        for (triangle, corners) in triangles {
+            for vertex in corners {
+                let missing = Error::IndexOutOfRange { triangle, vertex: vertex.into(), vertices };
+                *is_used.get_mut(vertex as usize).ok_or(missing)? = true;
             }
         }
-        self.place(selection, used)
+        Ok(is_used)
+    }
+
+    /// Some of its vertices, with triangles over them that are yet numbered as all of them are; without parts.
+    fn over(&self, is_kept: &[bool], mut triangles: Vec<[u32; 3]>) -> Self {
+        let mut number = vec![u32::MAX; self.positions.len()];
+        let mut positions = Vec::new();
+        for (vertex, _) in is_kept.iter().enumerate().filter(|&(_, &is_kept)| is_kept) {
+            number[vertex] = positions.len() as u32;
+            positions.push(self.positions[vertex]);
+        }
+        for corner in triangles.iter_mut().flatten() {
+            *corner = number[*corner as usize];
+        }
+        let of_kept = |attribute: &Attribute| {
+            let values = attribute.values.iter().zip(is_kept).filter(|&(_, &is_kept)| is_kept);
+            Attribute { name: attribute.name.clone(), values: values.map(|(&value, _)| value).collect() }
+        };
+        Self {
+            positions,
+            triangles,
+            unit: self.unit,
+            attributes: self.attributes.iter().map(of_kept).collect(),
+            warnings: self.warnings.clone(),
+            ..Self::default()
+        }
+    }
+}
+
+/// Triangles and vertices of a soup that a smaller one is made of.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Selection {
+    /// Numbered as all triangles are.
+    parts: Vec<Part>,
+    /// The triangles, ascending, those of all its parts among them.
+    ranges: Vec<Range<usize>>,
+    /// `#V`; those of its triangles at least.
+    is_kept: Vec<bool>,
+}
+
+impl Selection {
+    /// The triangles that are kept, ascending.
+    pub fn triangles(&self) -> impl Iterator<Item = usize> + Clone + '_ {
+        self.ranges.iter().cloned().flatten()
+    }
+
+    /// `#V`, whether a vertex is kept.
+    #[must_use]
+    pub fn is_kept(&self) -> &[bool] {
+        &self.is_kept
     }
 }
 

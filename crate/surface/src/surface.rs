@@ -14,10 +14,11 @@ use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
+use heatwalk_base::csr::{Csr, NONE};
+use heatwalk_base::parallel;
 
 use self::connectivity::{Connectivity, component_count};
 use crate::cracks::WeldRule;
-use crate::csr::{Csr, NONE};
 use crate::edges::{Corners, Edges};
 use crate::element::{
     CutVertex, CutVertexData, Element, FaceData, FaceId, HalfedgeId, InputTriangle, InputTriangleData, InputVertex,
@@ -26,7 +27,6 @@ use crate::element::{
 use crate::error::{Error, Result};
 use crate::halfedge::HalfedgeMesh;
 use crate::memory;
-use crate::parallel;
 use crate::soup::{Part, Soup};
 use crate::triangle;
 use crate::weld::weld;

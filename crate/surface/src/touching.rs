@@ -4,11 +4,11 @@
 use std::collections::HashSet;
 
 use glam::DVec3;
+use heatwalk_base::csr::NONE;
+use heatwalk_base::union_find::UnionFind;
 
-use crate::csr::NONE;
 use crate::edges::{Corners, Edges};
 use crate::element::{Element, FaceId, HalfedgeId, InputVertex, VertexId};
-use crate::union_find::UnionFind;
 
 /// What tells the fans at welded vertices apart.
 pub struct Fans<'a, I> {

@@ -7,9 +7,11 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use glam::DVec3;
+use heatwalk_base::csr::NONE;
+use heatwalk_base::parallel;
+use heatwalk_base::union_find::UnionFind;
 
 use crate::cracks::{Closed, Triangles, WeldRule};
-use crate::csr::NONE;
 use crate::edges::{Corners, Edges};
 use crate::element::{
     Element, FaceData, FaceId, HalfedgeId, InputTriangle, InputVertex, InputVertexData, VertexData, VertexId,
@@ -17,10 +19,8 @@ use crate::element::{
 use crate::error::{Error, Result};
 use crate::merge::merge;
 use crate::order::{gather, sort_faces};
-use crate::parallel;
 use crate::soup::Soup;
 use crate::touching::Fans;
-use crate::union_find::UnionFind;
 
 /// Coordinates are at most this, up or down: squares of lengths and areas are numbers then, with room for sums of them.
 pub const MOST_COORDINATE: f64 = 1e150;

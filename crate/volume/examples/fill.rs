@@ -8,7 +8,8 @@ use std::num::NonZeroUsize;
 use std::path::Path;
 use std::time::Instant;
 
-use heatwalk::{Soup, Surface, go_on, io};
+use heatwalk::{Soup, Surface, go_on};
+use heatwalk_model::io;
 use heatwalk_volume::fill::{Resolution, Solid};
 
 /// How many times as many tetrahedra tell the volume where triangles do not.
@@ -24,12 +25,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("|---|---:|---:|---:|---:|---:|---:|---:|---|---:|---:|");
     if files.is_empty() {
         for &name in heatwalk_shapes::names() {
-            row(name, &heatwalk_shapes::by_name(name)?, count)?;
+            row(name, &heatwalk_shapes::by_name(name)?.soup, count)?;
         }
     }
     for file in files {
         let name = Path::new(&file).file_name().unwrap_or_default().to_string_lossy();
-        row(&name, &io::read(&name, &fs::read(&file)?, &|_| None)?, count)?;
+        row(&name, &io::read(&name, &fs::read(&file)?, &|_| None)?.soup, count)?;
     }
     Ok(())
 }

@@ -2,11 +2,11 @@
 
 #![cfg(not(target_arch = "wasm32"))]
 
-#[path = "../../surface/tests/allocated.rs"]
+#[path = "../../model/tests/allocated.rs"]
 mod allocated;
 
-use heatwalk::io::Budget;
-use heatwalk::surface::Error as FileError;
+use heatwalk_model::Error as FileError;
+use heatwalk_model::io::Budget;
 use heatwalk_volume::io::{self, Error, Result, TetFile};
 
 use allocated::{GROWING, alone};

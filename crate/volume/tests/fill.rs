@@ -83,7 +83,7 @@ fn assert_conforming(soup: &TetSoup) {
 #[test]
 fn closed_shapes_fill_within_their_bounds() {
     for name in ["animal", "robot", "horse", "triceratops", "high_genus", "ring", "torus", "icosphere", "uv_sphere"] {
-        let soup = shapes::by_name(name).unwrap();
+        let soup = shapes::by_name(name).unwrap().soup;
         let solid = solid(&soup).unwrap();
         let resolution = Resolution::Tetrahedra(20_000);
         let estimate = solid.estimate(resolution).unwrap();
@@ -224,7 +224,7 @@ fn small_holes_are_closed() {
 #[test]
 fn what_cannot_be_filled_says_why() {
     for name in ["hemisphere", "terrain", "strip", "maze"] {
-        let error = solid(&shapes::by_name(name).unwrap()).unwrap_err();
+        let error = solid(&shapes::by_name(name).unwrap().soup).unwrap_err();
         assert!(matches!(error, Error::Open { holes, edges, .. } if holes > 0 && edges > 2), "{name}: {error}");
         assert!(error.to_string().contains("edges around vertex"), "{error}");
     }

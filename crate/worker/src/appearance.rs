@@ -1,7 +1,7 @@
 //! What the page gets of materials and images.
 
-use heatwalk::surface::appearance::{self, Alpha, Texels, Wrap};
 use heatwalk_bindings::Message;
+use heatwalk_model::appearance::{self, Alpha, Texels, Wrap};
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::JsValue;
 

@@ -1,9 +1,9 @@
 //! Cameras of a file as views of the page.
 
 use glam::DVec3;
-use heatwalk::surface::{Camera, Projection};
 use heatwalk_bake::BoundingSphere;
 use heatwalk_bindings::Message;
+use heatwalk_model::{Camera, Projection};
 use heatwalk_scene::DrawTransform;
 
 /// Vertical field of view of the page's camera; radians.

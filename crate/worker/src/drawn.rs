@@ -1,10 +1,9 @@
 //! Between the drawn vertices that the page knows and the welded vertices that the solver knows.
 
 use glam::DVec3;
-use heatwalk::{
-    Appearance, FaceData, FaceId, InputVertex, Place, Soup, Source, Surface, SurfacePoint, VertexData, VertexId,
-};
+use heatwalk::{FaceData, FaceId, InputVertex, Place, Source, Surface, SurfacePoint, VertexData, VertexId};
 use heatwalk_bindings::{Failure, Result, number, numbers};
+use heatwalk_model::{Appearance, Model};
 use heatwalk_scene::{DrawTransform, Posing, draw_mesh};
 use wasm_bindgen::prelude::*;
 
@@ -40,16 +39,16 @@ pub struct Drawn {
 }
 
 impl Drawn {
-    /// With the triangles themselves, which only the page needs, and with what moves them, for a soup that moves.
+    /// With the triangles themselves, which only the page needs, and with what moves them, for a model that moves.
     pub fn new(
         surface: &Surface,
         appearance: &Appearance,
-        moving: Option<&Soup>,
+        moving: Option<&Model>,
         transform: DrawTransform,
     ) -> (Self, DrawMesh, Option<Posing>) {
         let faces = surface.faces_in_input_order().collect();
         let mut mesh = draw_mesh(surface, appearance, CREASE_ANGLE, &transform);
-        let posing = moving.and_then(|soup| Posing::new(soup, &mesh));
+        let posing = moving.and_then(|model| Posing::new(model, &mesh));
         let (vertices, inputs) = (std::mem::take(&mut mesh.vertex_of_drawn), std::mem::take(&mut mesh.input_of_drawn));
         (Self { vertices, is_by_corner: false, inputs, faces, transform }, DrawMesh::new(mesh), posing)
     }

@@ -21,9 +21,9 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use heatwalk::surface::soup::{Attribute, Part};
-use heatwalk::surface::{Camera, Light};
-use heatwalk::{Appearance, Choice, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up, go_on};
+use heatwalk::{Choice, LengthUnit, MemoryLimit, Soup, Surface, Unit, UnitRule, Up, go_on};
 use heatwalk_bindings::{Failure, Result, reporter};
+use heatwalk_model::{Appearance, Camera, Light, Model};
 use heatwalk_scene::{DrawTransform, Posing, light_rows, upright};
 use heatwalk_shapes::icosphere;
 use js_sys::{Float64Array, Function, Object, Uint32Array};
@@ -44,7 +44,7 @@ const ADDRESS_SPACE: u64 = 1 << 32;
 /// What a file holds.
 #[wasm_bindgen]
 pub struct MeshFile {
-    soup: Soup,
+    model: Model,
     /// By the rules of its format or by its shape.
     up: Up,
     /// Of a file; a shape has none.
@@ -52,16 +52,16 @@ pub struct MeshFile {
 }
 
 /// What another module has packed.
-fn unpacked(packed: &[u8]) -> Result<Soup> {
-    Soup::unpacked(packed).ok_or_else(|| Failure::misuse("this is no mesh that this build has packed"))
+fn unpacked(packed: &[u8]) -> Result<Model> {
+    Model::unpacked(packed).ok_or_else(|| Failure::misuse("this is no mesh that this build has packed"))
 }
 
 impl MeshFile {
-    /// The unit is assumed where the soup says none, and what points up found by the shape where that is not known.
-    fn of_unknown_unit(soup: Soup, up: Option<String>) -> Result<Self> {
-        let up = up.map(|up| up.parse()).transpose()?.unwrap_or_else(|| upright(&soup));
-        let unit = soup.length_unit(UnitRule::Automatic);
-        Ok(Self { soup, up, unit })
+    /// The unit is assumed where the model says none, and what points up found by the shape where that is not known.
+    fn of_unknown_unit(model: Model, up: Option<String>) -> Result<Self> {
+        let up = up.map(|up| up.parse()).transpose()?.unwrap_or_else(|| upright(&model.soup));
+        let unit = model.soup.length_unit(UnitRule::Automatic);
+        Ok(Self { model, up, unit })
     }
 }
 
@@ -77,19 +77,19 @@ impl MeshFile {
 
     /// Takes what the module that makes shapes has made.
     pub fn made(packed: &[u8]) -> Result<Self> {
-        Ok(Self { soup: unpacked(packed)?, up: Up::Y, unit: LengthUnit::default() })
+        Ok(Self { model: unpacked(packed)?, up: Up::Y, unit: LengthUnit::default() })
     }
 
     /// A sphere of ten thousand points to warm up on: enough for every kernel to run often, and over before anybody opens a mesh.
     pub fn sphere() -> Self {
-        Self { soup: icosphere(5), up: Up::Y, unit: LengthUnit::default() }
+        Self { model: icosphere(5).into(), up: Up::Y, unit: LengthUnit::default() }
     }
 
     /// Takes triangles as they are: `positions` is `#V × 3`, `triangles` is `#F × 3`.
     pub fn arrays(name: &str, positions: &[f32], triangles: &[u32]) -> Self {
         let positions = positions.as_chunks().0.iter().map(|&[x, y, z]| DVec3::new(x.into(), y.into(), z.into()));
         let soup = Soup::single(name, positions.collect(), triangles.as_chunks().0.to_vec());
-        Self { soup, up: Up::Y, unit: LengthUnit::default() }
+        Self { model: soup.into(), up: Up::Y, unit: LengthUnit::default() }
     }
 
     /// Takes triangles in double precision: `positions` is `#V × 3`, `triangles` is `#F × 3`. `up`: what points up, by the shape where
@@ -101,20 +101,20 @@ impl MeshFile {
         #[wasm_bindgen(unchecked_param_type = "Up | undefined")] up: Option<String>,
     ) -> Result<Self> {
         let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
-        Self::of_unknown_unit(Soup::single(name, positions, triangles.as_chunks().0.to_vec()), up)
+        Self::of_unknown_unit(Soup::single(name, positions, triangles.as_chunks().0.to_vec()).into(), up)
     }
 
     /// `#V × 3`, all vertices of the file.
     pub fn positions(&self) -> Float64Array {
-        let numbers: Vec<f64> = self.soup.positions.iter().flat_map(|position| position.to_array()).collect();
+        let numbers: Vec<f64> = self.model.soup.positions.iter().flat_map(|position| position.to_array()).collect();
         numbers.as_slice().into()
     }
 
     /// `#F × 3`, the triangles of these parts.
     pub fn triangles_of(&self, parts: &[u32]) -> Uint32Array {
-        let parts = parts.iter().filter_map(|&part| self.soup.parts.get(part as usize));
+        let parts = parts.iter().filter_map(|&part| self.model.soup.parts.get(part as usize));
         let triangles: Vec<[u32; 3]> =
-            parts.flat_map(Part::triangles).map(|triangle| self.soup.triangles[triangle]).collect();
+            parts.flat_map(Part::triangles).map(|triangle| self.model.soup.triangles[triangle]).collect();
         triangles.as_flattened().into()
     }
 
@@ -126,10 +126,10 @@ impl MeshFile {
             ranges: part.ranges.iter().flat_map(|range| [range.start as u32, range.end as u32]).collect(),
         };
         Contents {
-            parts: self.soup.parts.iter().map(part).collect(),
-            clips: self.soup.motion.clips().iter().map(Clip::new).collect(),
-            warnings: self.soup.warnings.iter().map(Warning::new).collect(),
-            missing: self.soup.appearance.missing.clone(),
+            parts: self.model.soup.parts.iter().map(part).collect(),
+            clips: self.model.motion.clips().iter().map(Clip::new).collect(),
+            warnings: self.model.soup.warnings.iter().map(Warning::new).collect(),
+            missing: self.model.appearance.missing.clone(),
             unit: self.unit.unit.map_or("", Unit::symbol).to_owned(),
             unit_assumed: self.unit.is_assumed,
             upright: self.up.name(),
@@ -138,25 +138,25 @@ impl MeshFile {
 
     /// Whether it says how its triangles look.
     pub fn has_appearance(&self) -> bool {
-        !self.soup.appearance.runs.is_empty() || !self.soup.appearance.colors.is_empty()
+        !self.model.appearance.runs.is_empty() || !self.model.appearance.colors.is_empty()
     }
 
     /// The materials that triangles have.
     pub fn materials(&self) -> Vec<Material> {
-        self.soup.appearance.materials.iter().map(Material::new).collect()
+        self.model.appearance.materials.iter().map(Material::new).collect()
     }
 
     /// The images that materials use.
     pub fn images(&self) -> Vec<EncodedImage> {
-        self.soup.appearance.images.iter().map(EncodedImage::new).collect()
+        self.model.appearance.images.iter().map(EncodedImage::new).collect()
     }
 
     /// Refuses the parts `active` where there is no room for them and for so many windows of each half-edge, in all there is
     /// or in so many MiB; 0 windows: for what is factored, before its factors.
     pub fn require_room(&self, active: &[u32], windows: u16, mebibytes: Option<f64>) -> Result<()> {
-        let parts = active.iter().filter_map(|&part| self.soup.parts.get(part as usize));
+        let parts = active.iter().filter_map(|&part| self.model.soup.parts.get(part as usize));
         let triangles = parts.map(Part::len).sum();
-        let vertices = self.soup.positions.len().min(3 * triangles);
+        let vertices = self.model.soup.positions.len().min(3 * triangles);
         let available = match mebibytes.map(MemoryLimit::mebibytes) {
             Some(MemoryLimit::Bytes(most)) => most.min(ADDRESS_SPACE),
             Some(MemoryLimit::Automatic) | None => ADDRESS_SPACE,
@@ -167,12 +167,12 @@ impl MeshFile {
     /// What a simplifier is given of the parts `active`.
     pub fn outline(&self, active: &[u32]) -> Result<Outline> {
         let chosen: Vec<usize> = active.iter().map(|&part| part as usize).collect();
-        Ok(Outline::new(self.soup.select(&chosen)?))
+        Ok(Outline::new(self.model.select(&chosen)?))
     }
 
     /// The same file in other triangles, `#F × 3`, over the vertices of an outline of it: one part, in no materials.
     pub fn simplified(&self, outline: &Outline, name: &str, triangles: &[u32]) -> Result<Self> {
-        Ok(Self { soup: outline.with_triangles(name, triangles)?, up: self.up, unit: self.unit })
+        Ok(Self { model: outline.with_triangles(name, triangles)?, up: self.up, unit: self.unit })
     }
 
     /// The surface formed by the parts `active`, to be drawn with the axis `up` upward.
@@ -184,25 +184,25 @@ impl MeshFile {
         let up = up.parse()?;
         let chosen: Vec<usize> = active.iter().map(|&part| part as usize).collect();
         let selection;
-        let soup = if chosen.iter().copied().eq(0..self.soup.parts.len()) {
-            &self.soup
+        let model = if chosen.iter().copied().eq(0..self.model.soup.parts.len()) {
+            &self.model
         } else {
-            selection = self.soup.chosen(&chosen)?;
+            selection = self.model.chosen(&chosen)?;
             &selection
         };
-        let surface = Surface::build(soup)?;
-        let transform = DrawTransform::around(&surface, &self.soup, up);
-        let (appearance, moving) = (Arc::clone(&soup.appearance), soup.motion.moves().then(|| soup.clone()));
-        let (cameras, lights) = (soup.cameras.clone(), soup.lights.clone());
-        let weights = soup.attributes.iter().find(|attribute| is_weight(&attribute.name)).cloned();
+        let surface = Surface::build(&model.soup)?;
+        let transform = DrawTransform::around(&surface, &self.model.soup, up);
+        let (appearance, moving) = (Arc::clone(&model.appearance), model.motion.moves().then(|| model.clone()));
+        let (cameras, lights) = (model.cameras.clone(), model.lights.clone());
+        let weights = model.soup.attributes.iter().find(|attribute| is_weight(&attribute.name)).cloned();
         Ok(ActiveSurface { transform, surface: Arc::new(surface), appearance, moving, cameras, lights, weights })
     }
 
     /// The triangles of an inactive part, to be drawn beside those of the surface.
     pub fn scenery(&self, part: u32, beside: &ActiveSurface) -> Result<Scenery> {
-        let soup = self.soup.select(&[part as usize])?;
-        match Surface::build(&soup) {
-            Ok(surface) => Ok(Scenery::new(&surface, &soup, beside.transform)),
+        let model = self.model.select(&[part as usize])?;
+        match Surface::build(&model.soup) {
+            Ok(surface) => Ok(Scenery::new(&surface, &model, beside.transform)),
             // Scenery without a sound triangle draws as nothing; it is no reason to refuse the surface.
             Err(heatwalk::surface::Error::Empty { .. }) => Ok(Scenery::empty()),
             Err(error) => Err(error.into()),
@@ -222,7 +222,7 @@ pub struct ActiveSurface {
     surface: Arc<Surface>,
     appearance: Arc<Appearance>,
     /// What it was built from, where that moves.
-    moving: Option<Soup>,
+    moving: Option<Model>,
     cameras: Vec<Camera>,
     lights: Vec<Light>,
     /// What its vertices cost.

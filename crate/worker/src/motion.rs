@@ -1,7 +1,8 @@
 //! What moves: the animations of a file, and scenery.
 
-use heatwalk::{Soup, Surface, surface::motion};
+use heatwalk::Surface;
 use heatwalk_bindings::{Message, Result};
+use heatwalk_model::{Model, motion};
 use heatwalk_scene::{DrawTransform, Posing};
 use wasm_bindgen::prelude::*;
 
@@ -39,8 +40,8 @@ pub struct Scenery {
 }
 
 impl Scenery {
-    pub(crate) fn new(surface: &Surface, soup: &Soup, transform: DrawTransform) -> Self {
-        let (_, mesh, posing) = Drawn::new(surface, &soup.appearance, Some(soup), transform);
+    pub(crate) fn new(surface: &Surface, model: &Model, transform: DrawTransform) -> Self {
+        let (_, mesh, posing) = Drawn::new(surface, &model.appearance, Some(model), transform);
         Self { mesh, posing, transform }
     }
 

@@ -1,10 +1,10 @@
 //! What the page gets of triangles and paths.
 
 use glam::Vec3;
-use heatwalk::surface::appearance::Run;
 use heatwalk::{Costs, Path, PathPoint, Surface};
 use heatwalk_bake::{BoundingSphere, Hierarchy};
 use heatwalk_bindings::{DrawPath, Message};
+use heatwalk_model::appearance::Run;
 use heatwalk_scene::DrawTransform;
 use js_sys::{Float32Array, Uint8Array, Uint32Array};
 

@@ -15,8 +15,16 @@ use crate::toolchain::Toolchain;
 use crate::workspace::workspace;
 
 /// The packages whose tests run on wasm32 too.
-const TESTED: [&str; 6] =
-    ["heatwalk-sparse", "heatwalk-surface", "heatwalk-shapes", "heatwalk", "heatwalk-volume", "heatwalk-scene"];
+const TESTED: [&str; 8] = [
+    "heatwalk-base",
+    "heatwalk-sparse",
+    "heatwalk-surface",
+    "heatwalk-model",
+    "heatwalk-shapes",
+    "heatwalk",
+    "heatwalk-volume",
+    "heatwalk-scene",
+];
 
 /// Programs of tests that take longest, by the folder of their crate; of the first, tests whose names have the word take as long
 /// as all others, and run apart.

@@ -2,7 +2,8 @@
 
 use std::fs;
 
-use heatwalk::{Surface, io};
+use heatwalk::Surface;
+use heatwalk_model::io;
 use serde_json::Value;
 
 use super::{folder, json, refused, succeed};
@@ -38,7 +39,7 @@ fn strips_are_read_back_with_the_area_of_the_surface() {
     let strips = ["--count", "7", "--strips", "--output", "strips.obj"];
     succeed(&folder, &[&["isolines", "torus.ply", "--source", "0"][..], &strips].concat());
     let area = |name: &str| {
-        let soup = io::read(name, &fs::read(folder.join(name)).unwrap(), &|_| None).unwrap();
+        let soup = io::read(name, &fs::read(folder.join(name)).unwrap(), &|_| None).unwrap().soup;
         let surface = Surface::build(&soup).unwrap();
         let area: f64 = surface.mesh().faces().map(|face| surface.face_area(face)).sum();
         (area, soup.parts.len(), surface.report().boundary_loops)

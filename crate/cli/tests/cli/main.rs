@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use heatwalk::Soup;
-use heatwalk::io::write;
+use heatwalk_model::io::write;
 use heatwalk_shapes as shapes;
 use serde_json::Value;
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use heatwalk::io::write;
+use heatwalk_model::io::write;
 
 use crate::{difference, distances, flat, folder, json};
 

@@ -1,6 +1,6 @@
 //! Isolines as lines of a GLB file.
 
-use heatwalk_surface::io::write::GlbFile;
+use heatwalk_model::io::write::GlbFile;
 use serde_json::{Value, json};
 
 use crate::isolines::Isolines;

@@ -6,8 +6,8 @@ use heatwalk::FaceId;
 use heatwalk::Place;
 use heatwalk::PortalCrossing;
 use heatwalk::Surface;
-use heatwalk::surface::csr::Csr;
-use heatwalk::surface::parallel;
+use heatwalk_base::csr::Csr;
+use heatwalk_base::parallel;
 use rand::RngExt;
 use rand_xoshiro::SplitMix64;
 

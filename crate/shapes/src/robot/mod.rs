@@ -8,9 +8,9 @@ mod png;
 use std::sync::Arc;
 
 use glam::{DAffine3, DQuat, DVec2, DVec3};
-use heatwalk_surface::Soup;
-use heatwalk_surface::appearance::{Appearance, Material, Run};
-use heatwalk_surface::soup::Part;
+use heatwalk_model::Model;
+use heatwalk_model::appearance::{Appearance, Material, Run};
+use heatwalk_surface::{Part, Soup};
 
 use super::solids::{add_box, add_turned, ball, cylinder};
 use motion::{Joint, Limb, joint_motion};
@@ -105,7 +105,7 @@ impl Workshop {
 }
 
 /// A robot 2.5 high that stands on the ground and faces +z, in 33 parts; it can wave and walk. `spacing` is the length of an edge.
-pub fn robot(spacing: f64) -> Soup {
+pub fn robot(spacing: f64) -> Model {
     let mut robot = Workshop {
         soup: Soup::default(),
         runs: Vec::new(),
@@ -157,10 +157,10 @@ pub fn robot(spacing: f64) -> Soup {
         robot.joint = at(Limb::Foot);
         robot.block(&named("foot"), Finish::Rubber, v(0.25, 0.09, 0.07), DVec3::new(0.15, 0.09, 0.25));
     }
-    let Workshop { mut soup, runs, fixed, mut texcoords, .. } = robot;
+    let Workshop { soup, runs, fixed, mut texcoords, .. } = robot;
     texcoords.resize(soup.positions.len(), [0.0; 4]);
     let (materials, images) = (materials(), [paint::chest(), paint::face()].concat());
-    soup.appearance = Arc::new(Appearance { texcoords, runs, materials, images, ..Appearance::default() });
-    soup.motion = Arc::new(joint_motion(&soup.positions, fixed));
-    soup
+    let appearance = Arc::new(Appearance { texcoords, runs, materials, images, ..Appearance::default() });
+    let motion = Arc::new(joint_motion(&soup.positions, fixed));
+    Model { appearance, motion, ..soup.into() }
 }

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use glam::{DQuat, DVec3, EulerRot};
-use heatwalk_surface::Motion;
-use heatwalk_surface::motion::{
+use heatwalk_model::Motion;
+use heatwalk_model::motion::{
     Channel, Clip, Deformer, Influences, Interpolation, Node, NodeTree, Placement, Target, Track,
 };
 

@@ -1,6 +1,6 @@
 //! What is painted on the robot.
 
-use heatwalk_surface::appearance::{Channel, Image, Material, Texture, Wrap};
+use heatwalk_model::appearance::{Channel, Image, Material, Texture, Wrap};
 
 use super::png;
 

@@ -2,10 +2,11 @@
 
 use std::hint::select_unpredictable;
 
+use heatwalk_base::lanes::{Choice, Lanes};
+
 use super::geometry::Side;
 use super::window::{Beam, GRAZE};
 use crate::extremum::{larger, smaller};
-use heatwalk_surface::lanes::{Choice, Lanes};
 
 /// A window that crosses a face, and how it lies to the ray to the opposite corner.
 #[derive(Debug)]

@@ -7,13 +7,14 @@
 
 use std::collections::BTreeMap;
 
+use heatwalk_surface::HalfedgeId;
+use heatwalk_surface::edges::{EdgeNames, Edges};
+
 use super::envelope::Envelope;
 use super::geometry::{ExactGeometry, after};
 use super::overlap::parts_before;
 use super::window::Beam;
 use crate::room;
-use heatwalk_surface::HalfedgeId;
-use heatwalk_surface::edges::{EdgeNames, Edges};
 
 /// Edges that are crossed more often remember and gather.
 const OFTEN: usize = 16;

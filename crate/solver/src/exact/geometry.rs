@@ -6,15 +6,15 @@ use std::ops::Index;
 use std::sync::Arc;
 
 use bytemuck::Zeroable;
+use heatwalk_base::parallel;
+use heatwalk_surface::scale::scale;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{Bridges, CutVertex, Element, FaceId, Place, VertexId, triangle};
 
 use super::portals::Portals;
 use super::window::TURN;
 use crate::cost::Costs;
 use crate::extremum::{larger, smaller};
-use heatwalk_surface::scale::scale;
-use heatwalk_surface::surface::Surface;
-use heatwalk_surface::{Bridges, CutVertex, Element, FaceId, Place, VertexId};
-use heatwalk_surface::{parallel, triangle};
 
 #[cfg(test)]
 mod tests;

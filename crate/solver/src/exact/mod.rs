@@ -48,11 +48,11 @@ pub use wavefront::Wavefront;
 pub(crate) use wavefront::checked_sources;
 pub(crate) use window::{Beam, Window, length};
 
-use crate::error::{Error, Result};
 use heatwalk_sparse::{Progress, Stage, report};
-use heatwalk_surface::Path;
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::{ToPoint, ToSource, VertexData};
+use heatwalk_surface::{Path, ToPoint, ToSource, VertexData};
+
+use crate::error::{Error, Result};
 
 /// Windows between two calls of a progress callback, some milliseconds of work.
 pub(crate) const WORK_BETWEEN_CALLS: usize = 20_000;

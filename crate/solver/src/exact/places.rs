@@ -7,6 +7,8 @@
 
 use std::sync::Arc;
 
+use heatwalk_surface::{Place, Source, ToPoint, ToSource, VertexData, VertexId};
+
 use super::geometry::{ExactGeometry, Frame, after, before};
 use super::points::PointsInFaces;
 use super::portals::Portals;
@@ -15,7 +17,6 @@ use super::window::{Beam, length};
 use super::{Crossing, checked_sources, search};
 use crate::error::{Error, Result};
 use crate::extremum::{larger, smaller};
-use heatwalk_surface::{Place, Source, ToPoint, ToSource, VertexData, VertexId};
 
 /// A place may take as many windows as the surface has faces, or so many: usual ones take some hundreds to some ten thousand. Where
 /// many faces of an edge lie on each other there is no end of lines of one length, which a search from the sources tells apart.

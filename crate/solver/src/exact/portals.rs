@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
+use heatwalk_surface::{Bridges, Place};
+
 use super::points::PointsInFaces;
 use crate::distance::PortalCrossing;
-use heatwalk_surface::{Bridges, Place};
 
 /// The ends of all portals: those of portal `i` are ends `2 i` and `2 i + 1`.
 #[derive(Debug, Clone, Default)]

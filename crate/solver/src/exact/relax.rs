@@ -6,12 +6,13 @@
 
 use std::sync::Arc;
 
+use heatwalk_surface::{FaceId, VertexId};
+
 use super::geometry::{Frame, after, before};
 use super::origin::Origin;
 use super::wavefront::Wavefront;
 use super::window::MARGIN;
 use crate::room;
-use heatwalk_surface::{FaceId, VertexId};
 
 /// Share of an edge by which distances of its ends may differ by more than its length: some roundings.
 const SLACK: f64 = 1e-13;

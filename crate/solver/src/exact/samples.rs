@@ -2,7 +2,6 @@
 
 #[cfg(not(target_arch = "wasm32"))]
 use heatwalk_surface::Soup;
-
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::SplitMix64;
 

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use heatwalk_surface::VertexId;
+
 use super::geometry::{Bend, ExactGeometry, Frame, Side, Turn, after, before};
 use super::origin::Origin;
 use super::portals::Portals;
@@ -9,7 +11,6 @@ use super::wavefront::{Root, Wavefront};
 use super::window::{Beam, Window, length};
 use crate::extremum::{larger, smaller};
 use crate::room;
-use heatwalk_surface::VertexId;
 
 /// The shadow behind a bend is taken wider by this angle, radians: far above rounding, far below what costs time.
 const SHADOW_MARGIN: f64 = 1e-9;

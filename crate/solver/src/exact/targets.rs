@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use heatwalk_surface::Place;
+
 use super::geometry::Frame;
 use super::origin::Origin;
 use super::points::PointsInFaces;
 use super::window::{Beam, GRAZE, length};
-use heatwalk_surface::Place;
 
 /// Targets, their values, and where they lie.
 #[derive(Debug)]

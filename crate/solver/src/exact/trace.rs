@@ -1,5 +1,7 @@
 //! Shortest paths, traced back through the faces that their windows crossed.
 
+use heatwalk_surface::{FaceId, HalfedgeId, Path, PathPoint, Place, VertexId};
+
 use super::geometry::{after, before};
 use super::origin::Origin;
 use super::portals::Portals;
@@ -7,7 +9,6 @@ use super::wavefront::{Root, Wavefront};
 use super::window::length;
 use crate::dijkstra;
 use crate::error::{Error, Result};
-use heatwalk_surface::{FaceId, HalfedgeId, Path, PathPoint, Place, VertexId};
 
 /// A line that passes a vertex at no more than this share of its length may go through it instead, if the vertex's
 /// value agrees: the ends of windows are rays through vertices, and rounding must not choose a side there.

@@ -1,5 +1,8 @@
 //! The wavefront: windows that wait at edges, and their way across faces.
 
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{Element, HalfedgeId, Place, Source, ToPoint, ToSource, VertexData, VertexId};
+
 use crate::extremum::{larger, smaller};
 use std::sync::Arc;
 
@@ -17,8 +20,6 @@ use super::targets::Targets;
 use super::window::{self, Beam, MARGIN, length};
 use crate::error::{Error, Result};
 use crate::room;
-use heatwalk_surface::surface::Surface;
-use heatwalk_surface::{Element, HalfedgeId, Place, Source, ToPoint, ToSource, VertexData, VertexId, memory};
 
 /// Width of the queue's buckets, in mean edges. The number of windows hardly depends on it below two.
 const BUCKET: f64 = 0.7;
@@ -95,7 +96,7 @@ impl Wavefront {
         let ends = Targets::new(portals.places(), Arc::clone(portals.in_faces()));
         let items = halfedges + vertices + portals.places().len();
         let bytes = (size_of::<f64>() + size_of::<Origin>()) * vertices + size_of::<u32>() * (halfedges + items);
-        if !memory::has_room(&[bytes as u64]) {
+        if !heatwalk_base::memory::has_room(&[bytes as u64]) {
             return Err(room::REFUSED);
         }
         let mut wavefront = Self {

@@ -2,6 +2,8 @@
 
 use std::sync::{Arc, PoisonError};
 
+use heatwalk_surface::{Source, ToSource, VertexData};
+
 use crate::distance::{Distance, places_that_remain};
 use crate::error::Result;
 use crate::exact::Wavefront;
@@ -15,7 +17,6 @@ use crate::heat::triangles::region::{region_of, region_within};
 use crate::options::MultiSource;
 use crate::propagation::{Propagation, PropagationOptions, REFRACTED};
 use crate::refinement;
-use heatwalk_surface::{Source, ToSource, VertexData};
 
 /// A query with all that does not change while its exact region grows.
 #[derive(Debug)]

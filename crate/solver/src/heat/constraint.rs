@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use heatwalk_base::union_find::UnionFind;
 use heatwalk_sparse::Functional;
 use heatwalk_surface::VertexId;
-use heatwalk_surface::union_find::UnionFind;
 
 /// The value that a solution shall have at a place: at a vertex, or as a weighted mean of vertices.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
+use heatwalk_sparse::{ConjugateGradients, Permutation, Symbolic, SymmetricMatrix, go_on};
+use heatwalk_surface::Source;
+
 use crate::error::{Error, Result};
 use crate::heat::factorization::Factorization;
 use crate::heat::flow::HEAT_MATRIX;
 use crate::heat::poisson::{POISSON_MATRIX, Poisson};
 use crate::heat::query::Query;
 use crate::operator::Discretization;
-use heatwalk_sparse::{ConjugateGradients, Permutation, Symbolic, SymmetricMatrix, go_on};
-use heatwalk_surface::Source;
 
 /// Residuals `‖b − A x‖₂ / ‖b‖₂` of one linear system.
 #[derive(Debug, Clone, PartialEq)]

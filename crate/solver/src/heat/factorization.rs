@@ -2,6 +2,9 @@
 
 use std::sync::{Arc, Mutex};
 
+use heatwalk_sparse::{Progress, Stage, report};
+use heatwalk_surface::{Surface, memory};
+
 use crate::cost::Costs;
 use crate::dijkstra;
 use crate::error::Result;
@@ -10,8 +13,6 @@ use crate::heat::method::HeatMethod;
 use crate::heat::triangles::Triangles;
 use crate::operator::Operators;
 use crate::options::FactorOptions;
-use heatwalk_sparse::{Progress, Stage, report};
-use heatwalk_surface::{Surface, memory};
 
 /// Bytes that the triangles of the operators, the matrices and what exact distances need take at once, a face.
 const BYTES_PER_FACE: u64 = 268;

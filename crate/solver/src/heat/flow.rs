@@ -3,12 +3,13 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use heatwalk_sparse::{Functional, Progress, SchurComplement, SymmetricMatrix, System};
+use heatwalk_surface::{VertexData, VertexId};
+
 use crate::error::Result;
 use crate::heat::constraint::Constraint;
 use crate::heat::systems::{CachedSystem, Systems};
 use crate::operator::{Discretization, Laplacian, Operators};
-use heatwalk_sparse::{Functional, Progress, SchurComplement, SymmetricMatrix, System};
-use heatwalk_surface::{VertexData, VertexId};
 
 /// Name of the matrix in errors.
 pub(super) const HEAT_MATRIX: &str = "heat";

@@ -2,6 +2,9 @@
 
 use std::sync::{Arc, OnceLock};
 
+use heatwalk_sparse::{Progress, Stage, go_on};
+use heatwalk_surface::VertexData;
+
 use crate::error::Result;
 use crate::extremum::larger;
 use crate::heat::discretization::HeatDiscretization;
@@ -14,8 +17,6 @@ use crate::heat::source_heat::SourceHeat;
 use crate::heat::systems::Systems;
 use crate::heat::time;
 use crate::options::{Boundary, FactorOptions, MemoryLimit, MultiSource};
-use heatwalk_sparse::{Progress, Stage, go_on};
-use heatwalk_surface::VertexData;
 
 /// Numbers that the factors of heat systems may take that are not needed now, so that going back to another time or
 /// boundary condition is free: 256 MiB.

@@ -1,9 +1,10 @@
 //! What is asked of a factored surface: all that needs no factoring.
 
+use heatwalk_surface::{Source, Surface, ToSource};
+
 use crate::distance::one_a_place;
 use crate::error::{Error, Result};
 use crate::options::{ExactRadius, MultiSource};
-use heatwalk_surface::{Source, Surface, ToSource};
 
 /// Sources and how distance from them is measured.
 #[derive(Debug, Clone, PartialEq, Default)]

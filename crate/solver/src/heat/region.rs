@@ -3,12 +3,12 @@
 use std::borrow::Cow;
 
 use glam::DVec3;
+use heatwalk_surface::VertexId;
 
 use crate::error::Result;
 use crate::heat::constraint::Constraint;
 use crate::heat::point_source::PointSource;
 use crate::options::ExactRadius;
-use heatwalk_surface::VertexId;
 
 /// With several sources, a radius that work has cut short is rounded down to a power of this in mean edges, so that
 /// moving or adding a source mostly leaves it, and with it the Schur columns kept from before. One needs none.

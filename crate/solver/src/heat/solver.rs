@@ -2,6 +2,9 @@
 
 use std::sync::Arc;
 
+use heatwalk_sparse::Progress;
+use heatwalk_surface::{Surface, ToSource, VertexId};
+
 use crate::cost::Costs;
 use crate::distance::Distance;
 use crate::error::Result;
@@ -10,8 +13,6 @@ use crate::heat::answer::Refinement;
 use crate::heat::factorization::Factorization;
 use crate::heat::query::Query;
 use crate::options::Parameters;
-use heatwalk_sparse::Progress;
-use heatwalk_surface::{Surface, ToSource, VertexId};
 
 /// Answers with one set of options: a [`Factorization`] and what its queries have in common.
 #[derive(Debug)]

@@ -2,14 +2,14 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::error::{Error, Result};
-use crate::operator::{Discretization, Operators};
-use crate::options::{LinearSolver, MemoryLimit};
 use heatwalk_sparse::{
     ConjugateGradients, Factor, Functional, Permutation, Progress, Scalar, SchurCache, SchurColumn, Stage, Symbolic,
     SymmetricMatrix, System, go_on, report,
 };
-use heatwalk_surface::memory;
+
+use crate::error::{Error, Result};
+use crate::operator::{Discretization, Operators};
+use crate::options::{LinearSolver, MemoryLimit};
 
 /// Matrices that are factored at the same time, at most.
 const SIDE_BY_SIDE: usize = 2;
@@ -89,7 +89,7 @@ impl<D: Discretization> Systems<D> {
         blocks.push(memory.factorization.max(BYTES_PER_NUMBER * (SOLVE_NUMBERS * symbolic.size()) as u64));
         let needed_bytes = BYTES_PER_NUMBER * kept as u64 + blocks.iter().sum::<u64>();
         let fits = match limit {
-            MemoryLimit::Automatic => memory::has_room(&blocks),
+            MemoryLimit::Automatic => heatwalk_base::memory::has_room(&blocks),
             MemoryLimit::Bytes(most) => needed_bytes <= most,
         };
         if fits { Ok(()) } else { Err(Error::TooLarge { needed_bytes }) }

@@ -1,7 +1,8 @@
 //! Linear elements: each triangle, given by the lengths of its sides, laid out in a plane of its own.
 
-use crate::error::{Error, Result};
 use heatwalk_surface::triangle;
+
+use crate::error::{Error, Result};
 
 /// Triangles whose roots and divisions are best taken together: one by one, each would wait for those of the one before.
 pub(crate) const BLOCK: usize = 16;

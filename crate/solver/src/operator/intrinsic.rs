@@ -5,12 +5,12 @@
 
 use std::collections::BinaryHeap;
 
+use heatwalk_base::csr::NONE;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{Element as _, FaceId, HalfedgeId, VertexId, triangle};
+
 use crate::error::{Error, Result};
 use crate::operator::elements::{Element, Elements, edge_statistics, require_triangles};
-use heatwalk_surface::csr::NONE;
-use heatwalk_surface::surface::Surface;
-use heatwalk_surface::triangle;
-use heatwalk_surface::{Element as _, FaceId, HalfedgeId, VertexId};
 
 /// Share of the mean edge by which every triangle must miss being flat after mollification (Sharp and Crane, 4.5).
 const MOLLIFICATION: f64 = 1e-5;

@@ -1,7 +1,7 @@
 //! All operators of one metric.
 
+use heatwalk_base::union_find::UnionFind;
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::union_find::UnionFind;
 use heatwalk_surface::{HalfedgeId, VertexId};
 
 use crate::cost::Costs;

@@ -4,10 +4,8 @@
 //! surface, the intrinsic Delaunay operator does not.
 
 use glam::DVec3;
-
-use heatwalk_surface::VertexData;
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::triangle;
+use heatwalk_surface::{VertexData, triangle};
 
 /// A triangle is bad where its height over the longest edge is less than this share of that edge: an angle of more
 /// than about 157°, or one below about 6°.

@@ -8,15 +8,13 @@
 use std::collections::HashMap;
 
 use glam::DVec3;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{FaceId, Path, PathPoint, Place, ToPoint, VertexData, VertexId, triangle};
 
 use crate::cost::Costs;
 use crate::dijkstra;
 use crate::distance::Distance;
 use crate::error::{Error, Result};
-use heatwalk_surface::surface::Surface;
-use heatwalk_surface::triangle;
-use heatwalk_surface::{FaceId, Place, ToPoint, VertexData, VertexId};
-use heatwalk_surface::{Path, PathPoint};
 
 /// Follows the distance from `from` down to a source.
 ///

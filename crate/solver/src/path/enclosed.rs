@@ -5,10 +5,11 @@
 //! So vertices and edges that the curve goes through or along need no special case: a segment counts for the one face that its path
 //! names. Area times winding number is an integral over borders and segments, by Green's theorem.
 
-use crate::error::{Error, Result};
-use heatwalk_surface::csr::NONE;
+use heatwalk_base::csr::NONE;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{FaceData, FaceId, Path, SNAP};
+
+use crate::error::{Error, Result};
 
 /// Weights at a place on a face sum to 1 up to rounding; where they miss it by more than this, the place is on another face.
 const WEIGHT_ROUNDING: f64 = 1e-9;

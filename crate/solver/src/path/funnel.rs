@@ -3,12 +3,11 @@
 use std::collections::VecDeque;
 
 use glam::{DVec2, DVec3};
+use heatwalk_base::csr::NONE;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{FaceId, Place, VertexId, triangle};
 
 use super::strip::{Strip, StripEdge, unfold};
-use heatwalk_surface::csr::NONE;
-use heatwalk_surface::surface::Surface;
-use heatwalk_surface::triangle;
-use heatwalk_surface::{FaceId, Place, VertexId};
 
 /// A line that passes a vertex within this share of the edge touches it: rounding of unfolding some ten faces.
 const TOUCH: f64 = 1e-14;

@@ -6,11 +6,11 @@
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
 
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{FaceId, HalfedgeId, VertexId, triangle};
+
 use super::funnel::Heading;
 use super::strip::Step;
-use heatwalk_surface::surface::Surface;
-use heatwalk_surface::triangle;
-use heatwalk_surface::{FaceId, HalfedgeId, VertexId};
 
 /// A way around a vertex from one direction to another.
 #[derive(Debug, Clone)]

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use heatwalk_surface::{Path, Source, SurfacePoint, ToPoint, ToSource};
+
 use crate::error::{Error, Result};
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::refinement;
-use heatwalk_surface::{Path, Source, SurfacePoint, ToPoint, ToSource};
 
 /// The search for a shortest path, as [`exact::shortest_path`](crate::exact::shortest_path), which can be interrupted.
 #[derive(Debug)]

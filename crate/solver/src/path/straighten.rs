@@ -15,15 +15,14 @@ use std::collections::{BinaryHeap, VecDeque};
 use std::f64::consts::PI;
 
 use glam::DVec2;
+use heatwalk_base::csr::NONE;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{FaceId, Path, PathPoint, Place};
 
 use super::funnel::{Segment, share_of, tighten};
 use super::link::{Turn, shortest_turn};
 use super::strip::{Step, Strip, unfold};
 use crate::error::Result;
-use heatwalk_surface::csr::NONE;
-use heatwalk_surface::surface::Surface;
-use heatwalk_surface::{FaceId, Place};
-use heatwalk_surface::{Path, PathPoint};
 
 /// A turn by less than this short of π, in radians, is none: to cut it would shorten the path by 10⁻¹⁵ of it, which is
 /// its rounding.

@@ -4,12 +4,10 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
+use heatwalk_surface::surface::Surface;
+use heatwalk_surface::{Element, FaceId, HalfedgeId, Path, PathPoint, Place, SNAP, ToPoint, VertexId, triangle};
 
 use crate::error::{Error, Result};
-use heatwalk_surface::surface::Surface;
-use heatwalk_surface::triangle;
-use heatwalk_surface::{Element, FaceId, HalfedgeId, Place, ToPoint, VertexId};
-use heatwalk_surface::{Path, PathPoint, SNAP};
 
 /// Faces that a walk may enter, or turn past at vertices: far more than any use, and few enough to fit into memory.
 const MOST_FACES: usize = 1 << 20;

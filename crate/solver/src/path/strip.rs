@@ -1,10 +1,8 @@
 //! Strips of faces, each sharing an edge with the next, and their unfolding into the plane.
 
 use glam::{DVec2, DVec3};
-
 use heatwalk_surface::surface::Surface;
-use heatwalk_surface::triangle;
-use heatwalk_surface::{FaceId, Place, VertexId};
+use heatwalk_surface::{FaceId, Place, VertexId, triangle};
 
 /// Into the next face of a strip.
 #[derive(Debug, Clone, Copy)]

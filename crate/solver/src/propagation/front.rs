@@ -4,6 +4,9 @@
 
 use std::sync::Arc;
 
+use heatwalk_base::lanes::Lanes;
+use heatwalk_surface::{Surface, VertexId};
+
 use super::grow::{BATCH, Grow, PlaceInFace, Reached};
 use super::labels::{Bar, Bars, Count, Labels};
 use super::medium::{Medium, head_wave, refracted};
@@ -11,8 +14,6 @@ use super::queue::{Queue, sort_spent};
 use crate::error::Result;
 use crate::exact::{Beam, Crossing, ExactGeometry, Exits, Side, Wavefront, after, before, length};
 use crate::extremum::{larger, smaller};
-use heatwalk_surface::lanes::Lanes;
-use heatwalk_surface::{Surface, VertexId};
 
 /// Width of the queue's buckets, in mean edges.
 const BUCKET: f64 = 1.0;

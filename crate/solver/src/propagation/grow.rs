@@ -3,13 +3,14 @@
 use std::fmt;
 use std::sync::Arc;
 
+use heatwalk_surface::{FaceId, Source, Surface, VertexData, VertexId};
+
 use super::ends::{Ends, NOWHERE};
 use super::queue::Queue;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
 use crate::extremum::smaller;
 use crate::room::{REFUSED, refilled};
-use heatwalk_surface::{FaceId, Source, Surface, VertexData, VertexId};
 
 /// Items of a queue that are processed together.
 pub(super) const BATCH: usize = 32;

@@ -2,12 +2,13 @@
 
 use std::num::NonZeroUsize;
 
+use heatwalk_base::lanes::Lanes;
+use heatwalk_base::parallel;
+
 use crate::error::Result;
 use crate::exact::{Beam, Exits, Window};
 use crate::extremum::smaller;
 use crate::room::REFUSED;
-use heatwalk_surface::lanes::Lanes;
-use heatwalk_surface::parallel;
 
 #[cfg(test)]
 mod tests;

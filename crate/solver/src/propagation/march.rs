@@ -7,12 +7,13 @@
 
 use std::sync::Arc;
 
+use heatwalk_surface::{FaceId, Surface, VertexId};
+
 use super::grow::{Grow, PlaceInFace, Reached};
 use super::queue::sort_spent;
 use crate::cost::Costs;
 use crate::exact::{ExactGeometry, Wavefront, after, before, length};
 use crate::extremum::{larger, smaller};
-use heatwalk_surface::{FaceId, Surface, VertexId};
 
 /// Width of the queue's buckets, in mean edges.
 const BUCKET: f64 = 0.5;

@@ -1,9 +1,10 @@
 //! What paths cost where the front goes, and how windows bend where that changes.
 
+use heatwalk_surface::FaceId;
+
 use crate::cost::Costs;
 use crate::exact::{Beam, length};
 use crate::extremum::{larger, smaller};
-use heatwalk_surface::FaceId;
 
 /// What a unit of length costs in each face.
 pub(super) trait Medium: Send + Sync + 'static {

@@ -1,8 +1,9 @@
 //! What a solver gives.
 
+use heatwalk_surface::Source;
+
 use crate::distance::Distance;
 use crate::options::Method;
-use heatwalk_surface::Source;
 
 /// A distance and how it was found.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
+use heatwalk_surface::{BridgeRule, Bridges, Source, Surface, Walls};
+
 use super::{Answer, DistanceSolver, Joined};
 use crate::cost::Costs;
 use crate::error::Result;
 use crate::exact::ExactGeometry;
 use crate::heat::HeatSolver;
-use heatwalk_surface::{BridgeRule, Bridges, Source, Surface, Walls};
 
 impl DistanceSolver {
     /// The same with distances and paths that cross these bridges of the surface without walls.

@@ -29,8 +29,9 @@ use crate::exact::ExactGeometry;
 use crate::heat::HeatSolver;
 use crate::options::{Method, Parameters};
 use crate::propagation::PropagationOptions;
+use heatwalk_base::parallel;
 use heatwalk_sparse::{Progress, go_on};
-use heatwalk_surface::{Source, Surface, ToSource, memory, parallel};
+use heatwalk_surface::{Source, Surface, ToSource, memory};
 use search::Search;
 
 /// Bytes that exact distances and windows need of the surface, a face.

@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
+use heatwalk_sparse::Progress;
+use heatwalk_surface::{Path, Source, SurfacePoint, ToPoint};
+
 use super::{Answer, DistanceOptions, DistanceSolver};
 use crate::error::Result;
 use crate::exact::{self, PlaceDistances};
 use crate::options::{Method, PathKind};
 use crate::path::{PathSearch, descend, refract, straighten};
 use crate::propagation::{REFRACTED, Windows};
-use heatwalk_sparse::Progress;
-use heatwalk_surface::{Path, Source, SurfacePoint, ToPoint};
 
 impl DistanceSolver {
     /// The path from a place to its nearest source of an answer. Where faces have different costs, no path is known to be exact:

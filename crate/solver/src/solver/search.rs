@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
+use heatwalk_sparse::{Progress, Stage, report};
+use heatwalk_surface::Source;
+
 use super::answer::Answer;
 use super::options::DistanceOptions;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, WORK_BETWEEN_CALLS};
 use crate::options::Method;
 use crate::propagation::{Propagation, PropagationOptions};
-use heatwalk_sparse::{Progress, Stage, report};
-use heatwalk_surface::Source;
 
 /// The last search, whose memory serves the next one.
 #[derive(Debug, Default)]

@@ -2,13 +2,14 @@
 
 use std::mem;
 
+use heatwalk_surface::VertexData;
+
 use super::{Answer, DistanceSolver};
 use crate::accuracy::RelativeError;
 use crate::error::{Error, Result};
 use crate::heat::{HeatSolver, Refinement};
 use crate::options::Method;
 use crate::refinement::PropagationRefinement;
-use heatwalk_surface::VertexData;
 
 /// An answer, and how far it has become exact since; see [`DistanceSolver::refine`].
 #[derive(Debug)]

@@ -4,11 +4,10 @@
 #[cfg(not(target_arch = "wasm32"))]
 use std::path::{Path, PathBuf};
 
-use heatwalk::Soup;
 #[cfg(not(target_arch = "wasm32"))]
-use heatwalk::io;
-
 use super::meshes::{NAMES, mesh};
+use heatwalk::Soup;
+use heatwalk_model::io;
 
 /// A mesh, and what other programs say of distances on it.
 pub struct Known {
@@ -97,7 +96,7 @@ pub fn folder(name: &str) -> PathBuf {
 /// A mesh of one file.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn read_mesh(path: &Path) -> Soup {
-    io::read(&path.to_string_lossy(), &read(path), &|_| None).expect("a readable mesh")
+    io::read(&path.to_string_lossy(), &read(path), &|_| None).expect("a readable mesh").soup
 }
 
 #[cfg(not(target_arch = "wasm32"))]

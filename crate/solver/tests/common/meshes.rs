@@ -2,7 +2,8 @@
 //! `tests/data/README.md`.
 
 use glam::DVec3;
-use heatwalk::{Soup, io};
+use heatwalk::Soup;
+use heatwalk_model::io;
 use heatwalk_shapes as shapes;
 
 /// Closed and scanned; with a boundary; of many handles; modelled; and of slivers.
@@ -14,7 +15,7 @@ const SQUEEZE: f64 = 0.02;
 /// The mesh of one of the [`NAMES`].
 pub fn mesh(name: &str) -> Soup {
     match name {
-        "bunny" => io::read("bunny.ply", include_bytes!("../data/bunny.ply"), &|_| None).expect("a readable mesh"),
+        "bunny" => io::read("bunny.ply", include_bytes!("../data/bunny.ply"), &|_| None).expect("a readable mesh").soup,
         // Part 1 is the stand.
         "hemisphere" => shapes::hemisphere(20).select(&[0]).expect("a part"),
         "high_genus" => shapes::high_genus(0.12),

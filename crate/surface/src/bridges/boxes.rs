@@ -1,7 +1,8 @@
 //! A few boxes that are compared with another one at once.
 
+use heatwalk_base::lanes::Lanes;
+
 use crate::index::Bounds;
-use crate::lanes::Lanes;
 
 /// How many.
 pub const WIDTH: usize = 4;

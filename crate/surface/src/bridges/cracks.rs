@@ -4,13 +4,13 @@
 use std::collections::HashSet;
 
 use glam::DVec3;
+use heatwalk_base::parallel;
 
 use super::Portal;
 use super::scene::{Scene, cuts};
 use super::triangles::{nearest_on_segment, on_side};
 use crate::element::{FaceId, HalfedgeId};
 use crate::index::{Bounds, Tree, along_curve};
-use crate::parallel;
 use crate::point::Place;
 use crate::triangle::unit;
 

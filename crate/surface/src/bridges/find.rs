@@ -3,6 +3,9 @@
 use std::collections::HashMap;
 use std::num::NonZeroUsize;
 
+use heatwalk_base::parallel;
+use heatwalk_base::union_find::UnionFind;
+
 use super::cracks::across_cracks;
 use super::distances::distances;
 use super::hierarchy::Hierarchy;
@@ -12,9 +15,7 @@ use super::search::{Candidate, search};
 use super::tolerance::Tolerance;
 use super::{BridgeRule, Bridges, Portal};
 use crate::index::Bounds;
-use crate::parallel;
 use crate::surface::Surface;
-use crate::union_find::UnionFind;
 
 /// Components may be apart by this share of the diagonal of the scene; groups that are separate still, by the second one.
 pub const OF_SCENE: [f64; 2] = [1e-3, 3e-3];

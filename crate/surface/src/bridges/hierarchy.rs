@@ -5,12 +5,12 @@
 use std::ops::Range;
 
 use glam::DVec3;
+use heatwalk_base::parallel;
 
 use super::boxes::{Boxes, WIDTH};
 use super::scene::Scene;
 use super::triangles::Triangle;
 use crate::index::{Below, Bounds, Tree, along_curve};
-use crate::parallel;
 
 /// Triangles of a leaf, but for the last one.
 pub const LEAF: usize = WIDTH;

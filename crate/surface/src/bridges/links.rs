@@ -6,6 +6,9 @@
 
 use std::collections::HashMap;
 
+use heatwalk_base::parallel;
+use heatwalk_base::union_find::UnionFind;
+
 use super::budget::{Budget, STEPS_OF_PAIR};
 use super::find::{OF_SCENE, contacts};
 use super::hierarchy::{Hierarchy, Item};
@@ -15,9 +18,7 @@ use super::tolerance::Tolerance;
 use super::triangles::{self, Features};
 use super::{Bridges, Portal};
 use crate::index::{Below, Bounds};
-use crate::parallel;
 use crate::surface::Surface;
-use crate::union_find::UnionFind;
 
 #[cfg(test)]
 mod tests;

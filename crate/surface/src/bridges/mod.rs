@@ -25,10 +25,11 @@ mod walls;
 pub use links::Link;
 pub use rule::BridgeRule;
 
+use heatwalk_base::union_find::UnionFind;
+
 use crate::point::Place;
 use crate::surface::Surface;
 use crate::triangle;
-use crate::union_find::UnionFind;
 
 /// A place to cross from one component to another, or across a crack within one, either way.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,12 +3,12 @@
 use std::num::NonZeroUsize;
 
 use glam::DVec3;
+use heatwalk_base::csr::distribute;
+use heatwalk_base::parallel;
 
 use super::triangles::{Features, Triangle};
-use crate::csr::distribute;
 use crate::element::{Element, FaceId};
 use crate::index::Bounds;
-use crate::parallel;
 use crate::point::Place;
 use crate::surface::Surface;
 use crate::triangle;

@@ -7,6 +7,8 @@
 //! Of the triangles that share a corner or a side, the largest one alone tells of it. What meets another of them meets that one,
 //! too, and it is small only where they all are.
 
+use heatwalk_base::parallel;
+
 use super::budget::{Budget, STEPS_OF_PAIR, STEPS_OF_PLACE};
 use super::cells::{cell_of, list_of};
 use super::hierarchy::{Hierarchy, Item, LEAF};
@@ -14,7 +16,6 @@ use super::scene::{Scene, cuts};
 use super::tolerance::Tolerance;
 use super::triangles::{self, Features, Pair, Separation, Weights};
 use super::visit::{Visitor, visit};
-use crate::parallel;
 
 /// Triangles with no side longer than this many spacings are small: one place tells where they are.
 const SMALL: f64 = 2.0;

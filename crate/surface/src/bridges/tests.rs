@@ -3,6 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use heatwalk_base::parallel;
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::SplitMix64;
 
@@ -10,7 +11,6 @@ use glam::{DQuat, DVec3, EulerRot};
 
 use super::*;
 use crate::cracks::WeldRule;
-use crate::parallel;
 use crate::soup::Soup;
 
 /// A portal is within a spacing of each place that was taken, and these are half a spacing apart.

@@ -212,7 +212,7 @@ mod tests {
     use super::super::scene::Scene;
     use super::super::tests::{assembled, cuboid, sphere};
     use super::*;
-    use crate::parallel;
+    use heatwalk_base::parallel;
 
     /// Pairs of faces that met, the smaller one first.
     struct Met<'a> {

@@ -13,8 +13,8 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use glam::DVec3;
+use heatwalk_base::csr::NONE;
 
-use crate::csr::NONE;
 use crate::edges::{Corners, Edges};
 use crate::element::{Element, HalfedgeId, VertexId};
 use crate::triangle::{area_vector, length, unit};

@@ -1,8 +1,8 @@
 //! Nearest points that reach each other.
 
 use glam::DVec3;
+use heatwalk_base::csr::NONE;
 
-use crate::csr::NONE;
 use crate::index::{Bounds, Tree};
 
 /// Points of a leaf, but for the last one.

@@ -3,9 +3,8 @@
 use std::num::NonZeroUsize;
 
 use glam::DVec3;
-
-use crate::parallel;
-use crate::sort::Sorted;
+use heatwalk_base::parallel;
+use heatwalk_base::sort::Sorted;
 
 /// Cells of the curve along each axis, as a power of two.
 const BITS: u32 = 10;

@@ -2,11 +2,12 @@
 
 use std::num::NonZeroUsize;
 
+use heatwalk_base::parallel;
+use heatwalk_base::union_find::UnionFind;
+
 use crate::edges::{Corners, Edges};
 use crate::element::{CutVertexData, HalfedgeId, VertexData, VertexId};
 use crate::halfedge::HalfedgeMesh;
-use crate::parallel;
-use crate::union_find::UnionFind;
 
 /// Half-edges, boundary and components.
 pub(super) struct Connectivity {

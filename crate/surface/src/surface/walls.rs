@@ -1,13 +1,14 @@
 //! Walls: faces and edges that no path crosses. They part what lies on their two sides, so that whatever is computed on the
 //! surface respects them without knowing of them.
 
+use heatwalk_base::csr::Csr;
+use heatwalk_base::parallel;
+
 use super::connectivity::{Connectivity, component_count};
 use super::{Surface, SurfaceId};
-use crate::csr::Csr;
 use crate::edges::Edges;
 use crate::element::{Element, FaceData, FaceId, HalfedgeId, InputVertex, VertexId};
 use crate::error::{Error, Result};
-use crate::parallel;
 
 /// What no path crosses.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use glam::DVec3;
 use heatwalk::surface::index::Bounds;
-use heatwalk::surface::parallel;
 use heatwalk::{Progress, Stage};
+use heatwalk_base::parallel;
 
 use super::error::{Error, Result};
 use super::hierarchy::Hierarchy;

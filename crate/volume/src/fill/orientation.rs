@@ -5,9 +5,9 @@
 //! outward.
 
 use glam::DVec3;
-use heatwalk::surface::union_find::UnionFind;
 use heatwalk::surface::{Element, InputTriangle, InputVertex};
 use heatwalk::{FaceId, Soup, Surface, VertexId};
+use heatwalk_base::union_find::UnionFind;
 
 use super::triangle::{Triangle, area_vector, solid_angle};
 

@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 
 use glam::DVec3;
-use heatwalk::surface::parallel;
+use heatwalk_base::parallel;
 
 use super::field::Field;
 use super::lattice::Lattice;

@@ -4,8 +4,9 @@ use std::collections::HashMap;
 use std::num::NonZeroUsize;
 
 use glam::DVec3;
-use heatwalk::surface::{memory, parallel};
+use heatwalk::surface::memory;
 use heatwalk::{HalfedgeId, Progress, Soup, Stage, Surface};
+use heatwalk_base::parallel;
 
 use super::error::{Error, Result};
 use super::field::Field;

@@ -10,9 +10,8 @@ use std::fmt;
 
 use glam::DVec3;
 use heatwalk::Soup;
-use heatwalk::io::Budget;
-use heatwalk::io::triangulate::Polygons;
 use heatwalk::surface::{WarningCode, Warnings};
+use heatwalk_model::io::{Budget, triangulate::Polygons};
 
 use super::error::{Error, Result};
 use crate::soup::TetSoup;
@@ -297,7 +296,7 @@ impl Numbers {
 mod tests {
     use glam::DVec3;
 
-    use heatwalk::io::Budget;
+    use heatwalk_model::io::Budget;
 
     use super::{Cells, Shape};
 

@@ -11,7 +11,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 pub enum Error {
     /// The file breaks the rules of its format, needs what is not read here, or refers to a file that was not given.
     #[error(transparent)]
-    File(#[from] heatwalk::surface::Error),
+    File(#[from] heatwalk_model::Error),
     /// The file's extension and first bytes match no reader.
     #[error(
         "{name}: not a format of tetrahedral meshes known here; use Medit (.mesh, .meshb), Gmsh (.msh), VTK (.vtu, .vtk) or TetGen (.node with .ele)"

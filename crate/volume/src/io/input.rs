@@ -1,7 +1,7 @@
 //! Numbers of a file, whether written as text or as bytes.
 
-use heatwalk::io::text;
-use heatwalk::surface::Error;
+use heatwalk_model::Error;
+use heatwalk_model::io::text;
 
 use super::error::Result;
 

@@ -2,7 +2,7 @@
 //! or bytes of versions 1 to 4 in either order. Sections that are no vertices or cells are skipped.
 
 use glam::DVec3;
-use heatwalk::io::Budget;
+use heatwalk_model::io::Budget;
 
 use super::cells::{Kind, NamedCells, NamedMesh, Numbers, Shape};
 use super::error::Result;

@@ -20,12 +20,13 @@ mod tetgen;
 mod vtk;
 pub mod write;
 
-use heatwalk::Soup;
-use heatwalk::io::{Budget, Resources, text};
-use heatwalk::surface::Error as FileError;
-
 pub use cells::CellCounts;
 pub use error::{Error, Result};
+
+use heatwalk::Soup;
+use heatwalk::surface::Error as SurfaceError;
+use heatwalk_model::Error as FileError;
+use heatwalk_model::io::{Budget, Resources, text};
 
 use self::cells::NamedMesh;
 use crate::soup::TetSoup;
@@ -51,7 +52,7 @@ impl Format {
             Some(Self::Gmsh)
         } else if medit::has_header(bytes) {
             Some(Self::Medit)
-        } else if heatwalk::io::vtk::has_header(bytes) {
+        } else if heatwalk_model::io::vtk::has_header(bytes) {
             Some(Self::Vtk)
         } else {
             Self::of_name(name)
@@ -119,7 +120,7 @@ fn tetrahedra(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -
 /// Reads the triangles and quadrilaterals of a file as a surface.
 ///
 /// # Errors
-/// As [`read`], and [`Error::File`] with [`Empty`](FileError::Empty) where there is no face.
+/// As [`read`], and [`Error::File`] with [`Empty`](SurfaceError::Empty) where there is no face.
 pub fn read_surface(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
     let budget = Budget::of_file(bytes.len());
     read_surface_within(&budget, name, bytes, &|uri| budget.admit(resources(uri)?).ok())
@@ -139,12 +140,12 @@ fn surface(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> R
     let bytes = text::decoded(bytes)?;
     let format = Format::of(name, bytes).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
     let Some(mesh) = named(budget, format, name, bytes, resources)? else {
-        return Ok(heatwalk::io::read_within(budget, name, bytes, resources)?);
+        return Ok(heatwalk_model::io::read_within(budget, name, bytes, resources)?.soup);
     };
     let soup = mesh.surface(stem_and_extension(name).0)?;
     if soup.triangles.is_empty() {
         let reason = format!("{name} holds neither tetrahedra nor faces; save the cells with their vertices");
-        return Err(FileError::Empty { reason }.into());
+        return Err(FileError::from(SurfaceError::Empty { reason }).into());
     }
     Ok(soup)
 }

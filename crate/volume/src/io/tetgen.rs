@@ -2,7 +2,7 @@
 //! from 0 or 1 as the first vertex is. Attributes and boundary markers are skipped.
 
 use glam::DVec3;
-use heatwalk::io::Budget;
+use heatwalk_model::io::Budget;
 
 use super::cells::{Kind, NamedCells, NamedMesh, Numbers, Shape};
 use super::error::Result;

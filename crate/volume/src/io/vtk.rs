@@ -1,7 +1,7 @@
 //! VTK (Kitware, "VTK File Formats"): the cells of unstructured grids that fill space, of legacy and XML files.
 
-use heatwalk::io::{Budget, vtk};
-use heatwalk::surface::Error as FileError;
+use heatwalk_model::Error as FileError;
+use heatwalk_model::io::{Budget, vtk};
 
 use super::cells::{CellCounts, Cells, Shape};
 use super::error::Result;

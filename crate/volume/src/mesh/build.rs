@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use glam::DVec3;
 use heatwalk::surface::MOST_COORDINATE;
 use heatwalk::surface::scale::scale;
-use heatwalk::surface::union_find::UnionFind;
+use heatwalk_base::union_find::UnionFind;
 
 use crate::error::{Error, Result};
 use crate::lists::Lists;

@@ -17,7 +17,7 @@ for name in sys.argv[1:]:
 #[test]
 fn meshio_reads_what_is_written() {
     let python = std::env::var("HEATWALK_PYTHON").unwrap_or_else(|_| "python3".to_owned());
-    let (soup, mut distance) = crate::tetrahedra();
+    let (soup, mut distance) = super::tetrahedra();
     // Gmsh's views leave out what is infinite, which meshio does not take.
     distance.iter_mut().for_each(|value| *value = value.min(100.0));
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("meshio");

@@ -1,6 +1,6 @@
 //! Readers and writers of tetrahedral meshes: the same mesh in every format, and damaged copies of it.
 
-#[path = "../../../surface/tests/reading/damage.rs"]
+#[path = "../../../model/tests/reading/damage.rs"]
 mod damage;
 mod files;
 #[cfg(not(target_arch = "wasm32"))]
@@ -10,7 +10,8 @@ mod meshio;
 use std::collections::HashMap;
 
 use glam::DVec3;
-use heatwalk::surface::{Error as FileError, WarningCode};
+use heatwalk::surface::WarningCode;
+use heatwalk_model::Error as FileError;
 use heatwalk_volume::TetSoup;
 use heatwalk_volume::io::{self, CellCounts, Error, Format, Result, TetFile, write};
 

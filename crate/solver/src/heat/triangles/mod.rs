@@ -9,6 +9,7 @@ mod upwind;
 use std::sync::Arc;
 
 use glam::DVec3;
+use heatwalk_surface::{FaceId, HalfedgeId, Source, Surface, VertexId};
 
 use crate::cost::Costs;
 use crate::exact::{ExactGeometry, after};
@@ -21,7 +22,6 @@ use crate::heat::point_source::PointSource;
 use crate::heat::region::ExactRegion;
 use crate::operator::{Discretization, Laplacian, Operators};
 use crate::options::{FactorOptions, LinearSolver, Operator};
-use heatwalk_surface::{FaceId, HalfedgeId, Source, Surface, VertexId};
 use logarithm::Logarithm;
 
 /// A surface with the triangles that carry its operators.

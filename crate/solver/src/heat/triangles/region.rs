@@ -2,13 +2,14 @@
 
 use std::borrow::Cow;
 
+use heatwalk_surface::{VertexData, VertexId};
+
 use crate::error::Result;
 use crate::exact::Wavefront;
 use crate::heat::point_source::PointSource;
 use crate::heat::region::{ExactRegion, grow};
 use crate::options::ExactRadius;
 use crate::propagation::Propagation;
-use heatwalk_surface::{VertexData, VertexId};
 
 /// Windows that the exact region may propagate, times the fourth root of the number of vertices: beyond some rings it
 /// gains little, and the finer the mesh, the less it may take of a solve.

@@ -3,11 +3,12 @@
 
 use std::ops::Range;
 
+use heatwalk_surface::scale::scale;
+
 use crate::extremum::larger;
 use crate::heat::field::RightSide;
 use crate::heat::region::ExactRegion;
 use crate::operator::elements::{BLOCK, Element, Elements};
-use heatwalk_surface::scale::scale;
 
 /// Of the field X that should be the gradient of distance: the gradient of exact distance in triangles whose three corners are in the
 /// exact region, elsewhere the unit field of `heat`.

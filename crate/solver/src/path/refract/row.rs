@@ -1,10 +1,10 @@
 //! Rows of edges that a path crosses one after the other, and where it does so at the least cost.
 
 use glam::DVec3;
-
-use crate::cost::Costs;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{FaceId, HalfedgeId, Place, VertexId};
+
+use crate::cost::Costs;
 
 /// Length below which a segment counts as none, in mean edges, so that its direction has a derivative: far below what is seen,
 /// far above rounding.

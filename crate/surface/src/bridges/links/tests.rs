@@ -3,6 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use heatwalk_base::union_find::UnionFind;
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::SplitMix64;
 
@@ -11,7 +12,6 @@ use glam::{DQuat, DVec3, EulerRot};
 use crate::bridges::tests::{assembled, cuboid, sphere};
 use crate::bridges::{BridgeRule, Bridges, Link, Portal};
 use crate::surface::Surface;
-use crate::union_find::UnionFind;
 
 /// What gaps may be off by rounding, where coordinates are below 100.
 const ROUNDING: f64 = 1e-12;

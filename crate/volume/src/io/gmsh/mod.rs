@@ -6,7 +6,7 @@ mod format;
 mod nodes;
 mod section;
 
-use heatwalk::io::Budget;
+use heatwalk_model::io::Budget;
 
 use self::format::{GMSH, Header, TEXT, unsupported_version};
 use self::nodes::Nodes;

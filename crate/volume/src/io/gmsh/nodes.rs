@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use glam::DVec3;
-use heatwalk::io::Budget;
+use heatwalk_model::io::Budget;
 
 use super::format::GMSH;
 use crate::io::cells::Numbers;
@@ -39,7 +39,7 @@ impl<'a> Nodes<'a> {
             if vertices.insert(number, vertex).is_some() {
                 let problem = "its number is given to another node, too; repair the file".to_owned();
                 let place = format!("node {number}");
-                return Err(heatwalk::surface::Error::Malformed { format: GMSH, place, problem }.into());
+                return Err(heatwalk_model::Error::Malformed { format: GMSH, place, problem }.into());
             }
         }
         Ok((self.positions, Numbers::Any(vertices)))
