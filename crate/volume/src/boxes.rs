@@ -31,12 +31,7 @@ impl Boxes {
 
     /// Tells the numbers of all boxes of leaves that a place is in, in no order: those that have the place, and some near it.
     pub(crate) fn near(&self, place: DVec3, mut visit: impl FnMut(u32)) {
-        self.tree.visit(|node, leaf| {
-            let is_in = self.around[node].holds(place);
-            if is_in {
-                self.order[leaf].iter().for_each(|&number| visit(number));
-            }
-            is_in
-        });
+        let leaves = self.tree.leaves(|node| self.around[node].holds(place));
+        leaves.flat_map(|leaf| &self.order[leaf]).for_each(|&number| visit(number));
     }
 }

@@ -165,28 +165,23 @@ fn for_pairs<'a>(
     let of_leaf = |leaf: &[&Rim]| Bounds::of_points(leaf.iter().flat_map(|rim| rim.ends));
     let boxes = tree.values(|leaf| of_leaf(&rims[leaf]), Bounds::around);
     let mut left = PAIRS_OF_EDGE.saturating_mul(rims.len()).saturating_add(PAIRS);
-    let mut are_all = true;
     for &rim in rims {
         let own = Bounds::of_points(rim.ends);
         let squared = reach(rim).powi(2);
-        tree.visit(|node, leaf| {
-            if !are_all || boxes[node].squared_distance(own) > squared {
+        for leaf in tree.leaves(|node| boxes[node].squared_distance(own) <= squared) {
+            if left == 0 {
                 return false;
             }
-            if !leaf.is_empty() {
-                are_all = left > 0;
-                left = left.saturating_sub(1);
-            }
-            for &other in rims[leaf].iter().take_while(|_| are_all) {
+            left -= 1;
+            for &other in &rims[leaf] {
                 let is_no_longer = (other.length, other.halfedge) < (rim.length, rim.halfedge);
                 if is_no_longer && other.component == rim.component {
                     left = left.saturating_sub(PAIRS_OF_PORTAL * found(rim, other));
                 }
             }
-            true
-        });
+        }
     }
-    are_all
+    true
 }
 
 /// The portals between two edges, where these run along each other.

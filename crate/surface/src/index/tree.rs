@@ -130,32 +130,32 @@ impl<const LEAF: usize> Tree<2, LEAF> {
         self.arrange(children.start + 1, counts, points, second, order);
     }
 
-    /// Goes through the tree from the first item to the last. `enter` is told each node, with its items if it is a leaf and none
-    /// otherwise, and answers whether to go on below.
+    /// The items of the leaves that are entered, as all nodes above them are, from the first to the last. `enter` is told a node and
+    /// answers whether to go on there.
     #[inline]
-    pub fn visit(self, mut enter: impl FnMut(usize, Range<usize>) -> bool) {
-        if self.is_empty() {
-            return;
-        }
-        // Counted from 1, a node has its children at twice its number.
-        let mut number = 1;
-        loop {
-            let node = number - 1;
-            if node < self.inner {
-                if enter(node, 0..0) {
+    pub fn leaves(self, mut enter: impl FnMut(usize) -> bool) -> impl Iterator<Item = Range<usize>> {
+        // Counted from 1, a node has its children at twice its number. 0: at the end.
+        let mut number = usize::from(!self.is_empty());
+        std::iter::from_fn(move || {
+            while number > 0 {
+                let node = number - 1;
+                let is_entered = enter(node);
+                if is_entered && node < self.inner {
                     number *= 2;
                     continue;
                 }
-            } else {
-                enter(node, self.leaf(node));
+                // The next child of the nearest node above that has one: up from each second child.
+                number += 1;
+                number >>= number.trailing_zeros();
+                if number == 1 {
+                    number = 0;
+                }
+                if is_entered {
+                    return Some(self.leaf(node));
+                }
             }
-            // The next child of the nearest node above that has one: up from each second child.
-            number += 1;
-            number >>= number.trailing_zeros();
-            if number == 1 {
-                return;
-            }
-        }
+            None
+        })
     }
 
     /// Looks at leaves, those of the nearest nodes first, as long as they are nearer than a bound. `distance`: the least that a node's
@@ -270,18 +270,18 @@ mod tests {
             for (number, &point) in points.iter().enumerate().step_by(7) {
                 let is_near = |&other: &usize| points[other].distance_squared(point) <= 0.04;
                 let mut near = Vec::new();
-                tree.visit(|node, leaf| {
+                for leaf in tree.leaves(|node| boxes[node].squared_distance(Bounds::at(point)) <= 0.04) {
                     near.extend(leaf.filter(is_near));
-                    boxes[node].squared_distance(Bounds::at(point)) <= 0.04
-                });
+                }
                 near.sort_unstable();
                 assert!(near.contains(&number) && near.into_iter().eq((0..count).filter(is_near)));
                 let mut holds = Vec::new();
-                tree.visit(|node, _| {
+                let leaves = tree.leaves(|node| {
                     let is_in = boxes[node].holds(point);
                     holds.extend(is_in.then_some(node));
                     is_in
                 });
+                leaves.for_each(drop);
                 holds.sort_unstable();
                 assert!(holds.into_iter().eq((0..tree.len()).filter(|&node| boxes[node].holds(point))));
             }

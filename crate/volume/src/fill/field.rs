@@ -58,11 +58,6 @@ impl Field {
         if self.bounds().holds(point) { self.hierarchy.winding(point) } else { 0.0 }
     }
 
-    /// Distance from a point to the surface.
-    pub fn distance(&self, point: DVec3) -> f64 {
-        self.to_nearest(point).length()
-    }
-
     /// The way from a point to the nearest one of the surface.
     pub fn to_nearest(&self, point: DVec3) -> DVec3 {
         self.hierarchy.to_nearest(point)
@@ -104,7 +99,7 @@ impl Field {
     /// none within two thirds of the ball is on the other side of a half.
     fn block(&self, lattice: &Lattice, first: [usize; 3], cells: usize, masks: &mut [u128; 2]) {
         let (middle, radius) = lattice.ball(first, cells);
-        if self.distance(middle) >= CLEAR * radius {
+        if !self.hierarchy.is_nearer(middle, CLEAR * radius) {
             let winding = self.winding(middle);
             if (winding - winding.round()).abs() <= WHOLE {
                 if winding > INSIDE {

@@ -111,18 +111,19 @@ impl Hierarchy {
     /// How often the triangles wind around a point: 1 inside of a closed surface, 0 outside; a fraction where it has holes.
     pub fn winding(&self, point: DVec3) -> f64 {
         let (mut angle, mut far) = (0.0, 0.0);
-        self.tree.visit(|node, leaf| {
+        let near = self.tree.leaves(|node| {
             let moments = &self.moments[node];
             let away = moments.centre - point;
             let squared = away.length_squared();
             let is_far = squared > moments.squared_far;
             if is_far {
                 far += moments.winding(away, squared);
-            } else {
-                angle += self.triangles[leaf].iter().map(|triangle| solid_angle(triangle, point)).sum::<f64>();
             }
             !is_far
         });
+        for leaf in near {
+            angle += self.triangles[leaf].iter().map(|triangle| solid_angle(triangle, point)).sum::<f64>();
+        }
         far + angle / (4.0 * PI)
     }
 
@@ -130,15 +131,24 @@ impl Hierarchy {
     pub fn crossings(&self, start: DVec3, end: DVec3) -> Vec<Crossing> {
         let (along, segment) = (end - start, Bounds::of_points([start, end]));
         let mut crossings = Vec::new();
-        self.tree.visit(|node, leaf| {
-            let is_met = self.boxes[node].meets(segment);
-            if is_met {
-                crossings.extend(self.triangles[leaf].iter().filter_map(|triangle| crossing(triangle, start, along)));
-            }
-            is_met
-        });
+        for leaf in self.tree.leaves(|node| self.boxes[node].meets(segment)) {
+            crossings.extend(self.triangles[leaf].iter().filter_map(|triangle| crossing(triangle, start, along)));
+        }
         crossings.sort_unstable_by(|a: &Crossing, b| a.share.total_cmp(&b.share));
         crossings
+    }
+
+    /// Whether a triangle is nearer than this.
+    pub fn is_nearer(&self, point: DVec3, distance: f64) -> bool {
+        let (mut is_nearer, place) = (false, Bounds::at(point));
+        let to_box = |node: usize| self.boxes[node].squared_distance(place);
+        self.tree.nearest(distance * distance, to_box, |leaf, nearest| {
+            let mut triangles = self.triangles[leaf].iter();
+            is_nearer = triangles.any(|triangle| to_nearest(triangle, point).length_squared() < nearest);
+            // One is enough.
+            if is_nearer { 0.0 } else { nearest }
+        });
+        is_nearer
     }
 
     /// The way from a point to the nearest one of a triangle.

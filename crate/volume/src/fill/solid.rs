@@ -286,7 +286,7 @@ impl Solid {
         let distances = parallel::collect(faces.len(), self.threads, |face| {
             let corners = faces[face].map(|corner| soup.positions[corner as usize]);
             let middle = corners.iter().sum::<DVec3>() / 3.0;
-            corners.into_iter().chain([middle]).map(|point| self.field.distance(point)).fold(0.0, f64::max)
+            corners.into_iter().chain([middle]).map(|point| self.field.to_nearest(point).length()).fold(0.0, f64::max)
         });
         distances.into_iter().fold(0.0, f64::max)
     }
