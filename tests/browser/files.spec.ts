@@ -135,10 +135,10 @@ test('where no format says a unit, the size suggests one, which can be changed a
   const numbers = page.locator('.numbers');
   await expect(numbers).toContainText(/Diameter[\d.]+ mm \(assumed\)/);
   const [diameter] = /Diameter[\d.]+/.exec((await numbers.textContent()) ?? '') ?? [];
-  const unit = page.getByRole('combobox', { name: /^Unit/ });
+  const unit = page.getByRole('combobox', { name: 'Correct the unit to' });
   await expect(unit.locator('option').first()).toHaveText('mm (assumed)');
   await unit.selectOption('in');
-  // It only labels: the number stays.
+  // The number stays, and the size of the model changes.
   await expect(numbers).toContainText(`${diameter} in`);
   await expect(page).toHaveURL(/&unit=in/);
   await page.getByRole('button', { name: 'Undo' }).click();

@@ -244,7 +244,7 @@ fn what_is_behind_the_surface_is_not_in_a_picture() {
     let isolines = trace(&field, &[1.1]);
     let seen = |toward_eye: DVec3| {
         let view = View::from_direction(&field, toward_eye, DVec3::Y).unwrap();
-        drawn_length(&write::svg(&isolines, &field, &view))
+        drawn_length(&write::svg(&isolines, &field, &view, None))
     };
     // Of the square behind the left half is seen, of the other one all; the picture is 2.12 wide, with its margins.
     let whole = 2.0 * 1000.0 / 2.12;

@@ -4,9 +4,10 @@ import type { Session } from '../../session/session';
 import { measureConvergence } from '../../solver/convergence';
 import { type Level, levelsOf, markdownOf, MOST_TRIANGLES, slopeOf, studied } from '../../state/convergence';
 import { allSources } from '../../state/sources';
-import { type LengthUnit, unitOf } from '../../state/scene';
+import { type LengthUnit, ofModel, told, unitOf } from '../../length';
 import { h, say } from '../dom';
-import { tenths, withUnit } from '../words';
+import { withUnit } from '../../state/measures';
+import { tenths } from '../words';
 import { figure } from './figure';
 import { markdownButton, measuring } from './measuring';
 import type { Chart, Series } from './plot';
@@ -43,7 +44,7 @@ export function convergenceStudy(session: Session): HTMLElement {
       },
       (level) => {
         // Drawn, the surface has another size.
-        levels.push({ ...level, edge: (unit.scale / drawTransform.scale) * level.edge });
+        levels.push({ ...level, edge: told(ofModel(level.edge / drawTransform.scale), unit) });
         const file = name.replace(/\.\w+$/, '');
         charts.replaceChildren(...chartsOf(levels, unit).map((chart) => figure(chart, file)));
       },

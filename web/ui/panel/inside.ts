@@ -2,10 +2,11 @@ import type { Opener } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { lookInto } from '../../state/edit';
-import { type LengthUnit, unitOf } from '../../state/scene';
+import { type LengthUnit, unitOf } from '../../length';
 import { anglesOf, CUTS, DEFAULT_FILL, FILLS, type Inside, INSIDE_RANGES, LEAST_SPACING } from '../../state/inside';
 import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
-import { finePercent, percent, seconds, tenths, tetrahedraWords, volume } from '../words';
+import { volume } from '../../state/measures';
+import { finePercent, percent, seconds, tenths, tetrahedraWords } from '../words';
 import { count, retold, sentences, some, t, type Words } from '../../texts';
 
 const CUT_WORDS: Record<Inside['cut'], Words> = { none: t('nothing'), plane: t('half'), wedge: t('a wedge') };
