@@ -135,7 +135,7 @@ test('where no format says a unit, the size suggests one, which is corrected, co
   const numbers = page.locator('.numbers');
   await expect(numbers).toContainText(/Diameter[\d.]+ mm \(assumed\)/);
   const [diameter] = /Diameter[\d.]+/.exec((await numbers.textContent()) ?? '') ?? [];
-  const unit = page.getByRole('combobox', { name: 'Correct the unit to' });
+  const unit = page.getByRole('combobox', { name: 'Correct unit' });
   await expect(unit.locator('option').first()).toHaveText('mm (assumed)');
   await unit.selectOption('in');
   // The number stays, and the size of the model changes.
@@ -143,7 +143,7 @@ test('where no format says a unit, the size suggests one, which is corrected, co
   await expect(page).toHaveURL(/&unit=in/);
   // Converted, the size stays, and the number changes.
   const [inches = NaN] = (/Diameter([\d.]+)/.exec(diameter ?? '') ?? []).slice(1).map(Number);
-  await page.getByRole('combobox', { name: 'Convert lengths to' }).selectOption('ft');
+  await page.getByRole('combobox', { name: 'Convert to' }).selectOption('ft');
   await expect(numbers).toContainText(/Diameter[\d.]+ ft/);
   const [feet] = (/Diameter([\d.]+)/.exec((await numbers.textContent()) ?? '') ?? []).slice(1).map(Number);
   expect(feet / (inches / 12)).toBeCloseTo(1, 2);

@@ -291,10 +291,10 @@ export const PANEL: Texts = {
   Hide: 'Masquer',
   'Active parts, {0} of {1}': 'Pièces actives, {0} sur {1}',
   Presets: 'Préréglages',
-  'Correct the unit to': 'Corriger l’unité en',
+  'Correct unit': 'Corriger l’unité',
   'Says what the lengths in the file are: numbers stay, and the size of the model changes':
     'Dit ce que sont les longueurs du fichier : les nombres restent, et la taille du modèle change',
-  'Convert lengths to': 'Convertir les longueurs en',
+  'Convert to': 'Convertir en',
   'The size of the model stays, and all numbers change; files are saved in this unit too':
     'La taille du modèle reste, et tous les nombres changent ; les fichiers sont aussi enregistrés dans cette unité',
   'Say first what the lengths in the file are': 'Dites d’abord ce que sont les longueurs du fichier',

@@ -35,11 +35,11 @@ export const SECTIONS: Record<string, string> = {
 
 export const SETTINGS: Record<string, Record<string, Explanation>> = {
   scene: {
-    'Correct the unit to': about(
+    'Correct unit': about(
       t('What the lengths in the file are. The numbers stay, and the size of the model changes.'),
       'page#units',
     ),
-    'Convert lengths to': about(
+    'Convert to': about(
       t('The unit of all lengths on the page and in saved files. The size of the model stays.'),
       'page#units',
     ),

@@ -2,7 +2,7 @@ import type { Opener } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { lookInto } from '../../state/edit';
-import { type LengthUnit, unitOf } from '../../length';
+import { isSameUnit, type LengthUnit, unitOf } from '../../length';
 import { anglesOf, CUTS, DEFAULT_FILL, FILLS, type Inside, INSIDE_RANGES, LEAST_SPACING } from '../../state/inside';
 import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
 import { volume } from '../../state/measures';
@@ -113,6 +113,13 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     if (state.inside !== previous.inside) showInside(state);
     if (state.fill !== previous.fill) showFill(state);
   });
+  const showReport = () => {
+    const shown = session.shown.value;
+    if (shown) say(report, reportOf(shown, unitOf(scene.state, shown.opened)));
+  };
+  scene.subscribe((state, previous) => {
+    if (!isSameUnit(state, previous)) showReport();
+  });
   session.shown.watch((shown, previous) => {
     if (!shown || shown.opened === previous?.opened) return;
     const { interior } = shown.opened;
@@ -125,7 +132,7 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     say(fill, isFilled ? t('Fill anew') : t('Fill the inside'));
     empty.hidden = !isFilled;
     looking.hidden = !interior;
-    say(report, reportOf(shown, unitOf(scene.state, shown.opened)));
+    showReport();
     showInside(scene.state);
   });
   showInside(scene.state);

@@ -25,7 +25,7 @@ export function unitControls({ scene, shown }: Session): HTMLElement[] {
     [AUTOMATIC, t('automatic')],
     ...UNITS.map((name): [UnitChoice, Words] => [name, name === 'none' ? t('none') : name]),
   ];
-  const correct = select(t('Correct the unit to'), corrections, (unit) => scene.edit({ unit, scale: 1 }));
+  const correct = select(t('Correct unit'), corrections, (unit) => scene.edit({ unit, scale: 1 }));
   attribute(
     correct.element,
     'title',
@@ -35,11 +35,9 @@ export function unitControls({ scene, shown }: Session): HTMLElement[] {
     [OWN, t('unit of the file')],
     ...SHOWN_UNITS.map((name): [ShownUnit, Words] => [name, name]),
   ];
-  const convert = select(t('Convert lengths to'), conversions, (name) =>
-    scene.edit({ shownUnit: name === OWN ? null : name }),
-  );
+  const convert = select(t('Convert to'), conversions, (name) => scene.edit({ shownUnit: name === OWN ? null : name }));
   const [automatic, own] = [correct, convert].map(({ element }) => element.querySelector('option'));
-  const size = h('p', { class: 'quiet', role: 'status', 'aria-live': 'off' });
+  const size = h('p', { class: 'quiet' });
 
   const show = () => {
     const { state } = scene;
