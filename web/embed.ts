@@ -43,8 +43,10 @@ export interface MeshFigures {
   components: number;
   /** Diagonal of the bounding box, in the unit of the file. */
   diameter: number;
-  /** The symbol of the unit of lengths, `mm`; empty where there is none. */
+  /** The symbol of the unit in which the page shows lengths, `mm`; empty where there is none. */
   unit: string;
+  /** The length of the unit of the file, which all lengths here are in, in that one. */
+  scale: number;
 }
 
 export interface FieldFigures {

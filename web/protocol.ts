@@ -5,6 +5,7 @@
  * said to be as they are drawn: see `DrawTransform`.
  */
 
+import type { LengthUnit, ModelLength, ModelVolume, WithLengths } from './length';
 import type { Parameters, PathKind, Stage } from './wasm/contract';
 import type * as curves from './wasm/curves/heatwalk_curves';
 import type * as interior from './wasm/interior/heatwalk_interior';
@@ -62,12 +63,13 @@ export type DrawTransform = wasm.DrawTransform;
 export type DrawMesh = wasm.DrawMesh;
 export type Shade = wasm.Shade;
 export type Material = wasm.Material;
-export type BuildReport = wasm.BuildReport;
-export type DrawPath = wasm.DrawPath;
+export type BuildReport = WithLengths<wasm.BuildReport, 'crackWidth'>;
+/** `cost`: the length of as dear a path where a unit of it costs 1. */
+export type DrawPath = WithLengths<wasm.DrawPath, 'length' | 'straight' | 'cost'>;
 /** A path between two places: on a surface, where it can be drawn in any pose, or inside of tetrahedra. */
 export type Leg = SurfaceLeg | DrawPath;
-export type SurfaceLeg = wasm.Leg;
-export type Enclosure = wasm.Enclosure;
+export type SurfaceLeg = WithLengths<wasm.Leg, 'length' | 'straight' | 'cost'>;
+export type Enclosure = WithLengths<wasm.Enclosure, never, 'area'>;
 /** Curves, one after another, in the unit and the axes of the file. */
 export type Tracks = wasm.Tracks;
 export type Convergence = wasm.Convergence;
@@ -104,7 +106,7 @@ export interface Timings {
 }
 
 /** What is ready to be asked, and what that cost. */
-export interface Factoring extends wasm.Joined {
+export interface Factoring extends WithLengths<wasm.Joined, 'crackGap' | 'linkedGap'> {
   timings: Timings;
   /** Stored entries of all Cholesky factors together. */
   factorNonzeros: number;
@@ -123,9 +125,9 @@ export interface Simplified {
   /** Triangles of the file. */
   triangles: number;
   /** What the simplifier says of the distance between both, in the unit of the file. */
-  error: number;
+  error: ModelLength;
   /** Of the box around the mesh, in that unit. */
-  diagonal: number;
+  diagonal: ModelLength;
 }
 
 /** The tetrahedra of a mesh whose boundary is drawn, counted as in the input. */
@@ -134,10 +136,12 @@ export interface Interior {
   positions: Float32Array;
   /** #T × 4, corners. */
   tetrahedra: Uint32Array;
-  report: interior.InnerReport;
+  report: InnerReport;
   /** Of reading or filling, and finding neighbors. */
   madeMs: number;
 }
+
+export type InnerReport = WithLengths<Omit<interior.InnerReport, 'volume'>, 'deviation'> & { volume: ModelVolume };
 
 /** What is drawn of the inside. */
 export type InnerView = interior.InnerView;
@@ -178,14 +182,17 @@ export interface OpenedMesh extends wasm.Contents {
   scenery: SceneryPart[];
   report: BuildReport;
   /** Mean edge length. */
-  meanEdge: number;
+  meanEdge: ModelLength;
   /** Null for a surface. */
   interior: Interior | null;
   /** What the file says that vertices of the input cost, under the name that it has for that; null where it says nothing. */
   weights: wasm.Weights | null;
 }
 
-export interface DistanceField extends Omit<wasm.Field, 'error' | 'inner'> {
+export interface DistanceField extends WithLengths<
+  Omit<wasm.Field, 'error' | 'inner'>,
+  'maxDistance' | 'exactBelow'
+> {
   /** #D × 4: the direction in which distance grows at each drawn vertex, 127 for a unit; the fourth number is 0. */
   tangents: Int8Array;
   /** How far the field was off before it was refined; null until refining has made all of it exact. */
@@ -240,13 +247,15 @@ export interface Progress {
 
 /** At which distances isolines are wanted: at these, or where there are none at the multiples of a spacing; in the unit of the file. */
 export interface IsolineWish {
-  values: readonly number[];
-  spacing: number;
+  values: readonly ModelLength[];
+  spacing: ModelLength;
 }
+
+export type IsolineRow = WithLengths<curves.IsolineRow, 'value' | 'length', 'area'>;
 
 /** Isolines of a field. */
 export interface Isolines {
-  rows: readonly curves.IsolineRow[];
+  rows: readonly IsolineRow[];
   /** #segments × 2 × 3, ends of all segments, as they are drawn. */
   ends: Float32Array;
 }
@@ -255,6 +264,8 @@ export interface Isolines {
 export interface CurveFile {
   kind: 'obj' | 'dxf' | 'svg' | 'csv' | 'glb' | 'strips.obj' | 'unrolled.svg' | 'unrolled.dxf';
   towardEye: readonly [number, number, number];
+  /** That of all lengths in it. */
+  unit: LengthUnit;
 }
 
 /** A file with a distance for each vertex of the input; `weights.ply` has them as vertex colors. */

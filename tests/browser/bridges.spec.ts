@@ -69,7 +69,7 @@ test('what is apart is linked group by group, nearest first, by a link of the pa
   await expect.poll(() => page.evaluate(unreached)).toBeLessThan(apart ?? 0);
   expect(await page.evaluate(unreached)).toBeGreaterThan(0);
   await page.locator('#section-solver > summary').click();
-  await expect(page.getByText('2 links over gaps of up to 0.4 units; 2 groups.')).toBeVisible();
+  await expect(page.getByText('2 links over gaps of up to 0.4 m (assumed); 2 groups.')).toBeVisible();
 
   await linkNearest.click();
   await expect.poll(() => page.evaluate(unreached)).toBe(0);
@@ -105,7 +105,9 @@ test('distance crosses cracks, and the message tells of them', async ({ heatwalk
   const corners = triangles.map((_, face): [number, number, number] => [3 * face, 3 * face + 1, 3 * face + 2]);
   await heatwalk.openFile('loose.obj', obj({ loose: { positions: loose, triangles: corners } }), 's=0&method=auto');
   await heatwalk.settled();
-  await expect(page.getByRole('status').first()).toContainText(/welded [\d,]+ crack vertices within 0\.000\d+ units/);
+  await expect(page.getByRole('status').first()).toContainText(
+    /welded [\d,]+ crack vertices within 0\.000\d+ m \(assumed\)/,
+  );
   expect(await page.evaluate(() => window.heatwalk.mesh?.components)).toBe(1);
   const farthest = await page.evaluate(() => window.heatwalk.field?.maxDistance ?? 0);
   expect(Math.abs(farthest - Math.PI)).toBeLessThan(0.02);

@@ -124,7 +124,7 @@ test('a 3MF file is a mesh, though it is an archive, and tells its unit', async 
   await expect(page.locator('.numbers')).toContainText(/Diameter[\d.]+ in/);
 });
 
-test('where no format says a unit, the size suggests one, which can be changed and undone', async ({
+test('where no format says a unit, the size suggests one, which is corrected, converted and undone', async ({
   heatwalk,
   page,
 }) => {
@@ -135,12 +135,21 @@ test('where no format says a unit, the size suggests one, which can be changed a
   const numbers = page.locator('.numbers');
   await expect(numbers).toContainText(/Diameter[\d.]+ mm \(assumed\)/);
   const [diameter] = /Diameter[\d.]+/.exec((await numbers.textContent()) ?? '') ?? [];
-  const unit = page.getByRole('combobox', { name: /^Unit/ });
+  const unit = page.getByRole('combobox', { name: 'Correct unit' });
   await expect(unit.locator('option').first()).toHaveText('mm (assumed)');
   await unit.selectOption('in');
-  // It only labels: the number stays.
+  // The number stays, and the size of the model changes.
   await expect(numbers).toContainText(`${diameter} in`);
   await expect(page).toHaveURL(/&unit=in/);
+  // Converted, the size stays, and the number changes.
+  const [inches = NaN] = (/Diameter([\d.]+)/.exec(diameter ?? '') ?? []).slice(1).map(Number);
+  await page.getByRole('combobox', { name: 'Convert to' }).selectOption('ft');
+  await expect(numbers).toContainText(/Diameter[\d.]+ ft/);
+  const [feet] = (/Diameter([\d.]+)/.exec((await numbers.textContent()) ?? '') ?? []).slice(1).map(Number);
+  expect(feet / (inches / 12)).toBeCloseTo(1, 2);
+  await expect(page).toHaveURL(/&unit=in&shown=ft/);
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(numbers).toContainText(`${diameter} in`);
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(numbers).toContainText(`${diameter} mm (assumed)`);
 });

@@ -1,4 +1,5 @@
 import { expect, test } from '@playwright/test';
+import { ofModel } from '../../web/length';
 import { type Compared, decodeCompared, differing, encodeCompared, MIDDLE, STUDIED } from '../../web/state/compared';
 import { FIRST_PRESET } from '../../web/state/presets';
 import { Scene } from '../../web/state/history';
@@ -42,7 +43,7 @@ test('undo goes back over comparisons; a drag of the line is one step', () => {
 const field = (...values: number[]) => ({
   distance: Float32Array.from(values),
   inner: null as Float32Array | null,
-  maxDistance: Math.max(...values.filter(Number.isFinite)),
+  maxDistance: ofModel(Math.max(...values.filter(Number.isFinite))),
 });
 
 test('the difference of two fields is over the vertices that both reach, a share of the largest on the left', () => {

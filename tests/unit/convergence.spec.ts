@@ -1,4 +1,5 @@
 import { expect, test } from '@playwright/test';
+import { MODEL, ofModel } from '../../web/length';
 import {
   type Level,
   levelsOf,
@@ -88,7 +89,7 @@ test('no surface is split into more triangles than exact distances have time for
 /** Errors that fall with the edge, by heat, and with its square, by propagation, on average; exact at most. */
 const levels: Level[] = [1, 0.5, 0.25].map((edge, i) => ({
   triangles: 100 * 4 ** i,
-  edge,
+  edge: ofModel(edge),
   heat: { mean: 0.02 * edge, max: 0.3 },
   propagation: { mean: 0.004 * edge ** 2, max: 0 },
 }));
@@ -102,9 +103,12 @@ test('a slope is the power of the edge length that an error falls with', () => {
 });
 
 test('Markdown has a line a surface, and one of slopes', () => {
-  const lines = markdownOf(levels).trim().split('\n');
+  const lines = markdownOf(levels, { ...MODEL, symbol: 'mm', scale: 1000 })
+    .trim()
+    .split('\n');
   expect(lines).toHaveLength(6);
+  expect(lines[0]).toContain('| Mean edge (mm) |');
   expect(lines[1]).toBe('| ---: | ---: | ---: | ---: | ---: | ---: |');
-  expect(lines[3]).toBe('| 400 | 0.5000 | 1.00 | 30.0 | 0.100 | 0.00 |');
+  expect(lines[3]).toBe('| 400 | 500.0 | 1.00 | 30.0 | 0.100 | 0.00 |');
   expect(lines[5]).toBe('| Slope |  | 1.00 | 0.00 | 2.00 | – |');
 });

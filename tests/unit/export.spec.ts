@@ -1,5 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from '@playwright/test';
+import { MODEL, ofModel } from '../../web/length';
 import type { DrawPath } from '../../web/protocol';
 import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../web/session/export';
 import { commandLine, type Measured, pythonLines } from '../../web/state/reproduce';
@@ -20,7 +21,8 @@ const MEASURED: Measured = {
     parts: [{ name: 'torus', triangles: 2, ranges: Uint32Array.of(0, 2) }],
     clips: [],
   },
-  field: { exactBelow: Infinity, windows: undefined },
+  field: { exactBelow: ofModel(Infinity), windows: undefined },
+  unit: MODEL,
 };
 
 test('the command line names the mesh, the sources and what found the distances', () => {
@@ -32,11 +34,17 @@ test('the command line names the mesh, the sources and what found the distances'
   const [torus] = MEASURED.opened.parts;
   const other = { name: 'other', triangles: 4, ranges: Uint32Array.of(2, 4, 6, 8) };
   const opened = { ...MEASURED.opened, active: [1], parts: [torus, other] };
-  const asked = { ...MEASURED, state, opened, mesh: "a cow's.obj", field: { exactBelow: 0, windows: undefined } };
+  const asked = {
+    ...MEASURED,
+    state,
+    opened,
+    mesh: "a cow's.obj",
+    field: { exactBelow: ofModel(0), windows: undefined },
+  };
   expect(commandLine(asked)).toBe(
     String.raw`heatwalk distance 'a cow'\''s.obj' --part 1 --source 7:0.25,0.25,0.5@2 --link 1 --method heat --t 10 --near inf --output distances.csv`,
   );
-  expect(commandLine({ ...MEASURED, field: { exactBelow: 1, windows: 2 } })).toContain(
+  expect(commandLine({ ...MEASURED, field: { exactBelow: ofModel(1), windows: 2 } })).toContain(
     '--method propagation --windows 2',
   );
   expect(pythonLines(MEASURED)).toContain('subprocess.run("heatwalk distance shape:torus');
@@ -58,12 +66,16 @@ test('paths are written in the unit of the file', () => {
     [10, 20, 30],
     [10.5, 18.5, 31],
   ]);
-  expect(pathFile('obj', points)).toContain('v 10.5 18.5 31\nl 1 2\n');
+  expect(pathFile('obj', points, MODEL)).toContain('v 10.5 18.5 31\nl 1 2\n');
   expect(
-    pathFile('csv', [
-      [0, 0, 0],
-      [0, 3, 4],
-    ]),
+    pathFile(
+      'csv',
+      [
+        [0, 0, 0],
+        [0, 3, 4],
+      ],
+      MODEL,
+    ),
   ).toBe('length,x,y,z\n0,0,0,0\n5,0,3,4\n');
 });
 
@@ -73,7 +85,7 @@ test('a path as glTF is valid, and holds its points', async () => {
     [1e-3, 3, 4],
     [-2, 7, 0.3],
   ];
-  const glb = pathFile('glb', points) as Uint8Array<ArrayBuffer>;
+  const glb = pathFile('glb', points, MODEL) as Uint8Array<ArrayBuffer>;
   expect(await complaints(glb)).toEqual([]);
   const [first, second, third] = points;
   const ends = [first, second, second, third];
@@ -84,9 +96,13 @@ test('a path as glTF is valid, and holds its points', async () => {
 
 test('tracks are numbered in tables, and lines of their own in files of lines', async () => {
   const tracks = trackPoints({ points: Float64Array.of(0, 0, 0, 0, 3, 4, 1, 1, 1), counts: Uint32Array.of(2, 1) });
-  expect(tracksFile('csv', tracks)).toBe('walker,length,x,y,z\n0,0,0,0,0\n0,5,0,3,4\n1,0,1,1,1\n');
-  expect(String(tracksFile('obj', tracks)).split('\n').slice(4)).toEqual(['l 1 2', 'l 3', '']);
-  const glb = tracksFile('glb', tracks) as Uint8Array<ArrayBuffer>;
+  expect(tracksFile('csv', tracks, MODEL)).toBe('walker,length,x,y,z\n0,0,0,0,0\n0,5,0,3,4\n1,0,1,1,1\n');
+  expect(
+    String(tracksFile('obj', tracks, MODEL))
+      .split('\n')
+      .slice(4),
+  ).toEqual(['l 1 2', 'l 3', '']);
+  const glb = tracksFile('glb', tracks, MODEL) as Uint8Array<ArrayBuffer>;
   expect(await complaints(glb)).toEqual([]);
   // Who stands where it is has a segment without length.
   expect(new Float32Array(glb.slice(-48).buffer)).toEqual(Float32Array.of(0, 0, 0, 0, 3, 4, 1, 1, 1, 1, 1, 1));
@@ -122,7 +138,7 @@ test('the lines of Rust are examples of the crate', async () => {
     sources: 'summed' as const,
   };
   const byHeat = { ...STATE, parameters, method: 'heat' as const, bridge: 'off' as const };
-  expect(rustLines({ ...MEASURED, state: byHeat, field: { exactBelow: 0, windows: undefined } })).toBe(
+  expect(rustLines({ ...MEASURED, state: byHeat, field: { exactBelow: ofModel(0), windows: undefined } })).toBe(
     await example('distances_of_shape'),
   );
 
@@ -134,6 +150,6 @@ test('the lines of Rust are examples of the crate', async () => {
   const animation = { ...STATE.animation, clip: 1, seconds: 0.5, live: true };
   const state = { ...STATE, sources, animation, bridge: 0.01, links: 2 };
   const opened = { ...MEASURED.opened, active: [1], parts: [...MEASURED.opened.parts, ...MEASURED.opened.parts] };
-  const asked = { ...MEASURED, state, opened, mesh: 'a "cow".glb', field: { exactBelow: 1, windows: 4 } };
+  const asked = { ...MEASURED, state, opened, mesh: 'a "cow".glb', field: { exactBelow: ofModel(1), windows: 4 } };
   expect(rustLines(asked)).toBe(await example('distances_of_file'));
 });

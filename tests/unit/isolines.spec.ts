@@ -1,21 +1,22 @@
 import { expect, test } from '@playwright/test';
+import { MODEL } from '../../web/length';
 import { decodeIsolines, encodeIsolines, isolinesText, parseIsolines } from '../../web/state/isolines';
 
 test('isolines are at a spacing, at values, or where the stripes are', () => {
-  expect(parseIsolines(' ')).toBeNull();
-  expect(parseIsolines(' 0.5 ')).toEqual({ values: [], spacing: 0.5 });
-  expect(parseIsolines('0.5,')).toEqual({ values: [0.5], spacing: 0 });
-  expect(parseIsolines('0.5, 1e0;2')).toEqual({ values: [0.5, 1, 2], spacing: 0 });
-  expect(() => parseIsolines('0.5, far')).toThrow('far is no distance');
-  expect(() => parseIsolines('-1')).toThrow('-1 is no distance');
-  expect(() => parseIsolines('0')).toThrow('A spacing of 0');
-  expect(() => parseIsolines('1,'.repeat(1001))).toThrow('1,001 values are too many');
+  expect(parseIsolines(' ', MODEL)).toBeNull();
+  expect(parseIsolines(' 0.5 ', MODEL)).toEqual({ values: [], spacing: 0.5 });
+  expect(parseIsolines('0.5,', MODEL)).toEqual({ values: [0.5], spacing: 0 });
+  expect(parseIsolines('0.5, 1e0;2', MODEL)).toEqual({ values: [0.5, 1, 2], spacing: 0 });
+  expect(() => parseIsolines('0.5, far', MODEL)).toThrow('far is no distance');
+  expect(() => parseIsolines('-1', MODEL)).toThrow('-1 is no distance');
+  expect(() => parseIsolines('0', MODEL)).toThrow('A spacing of 0');
+  expect(() => parseIsolines('1,'.repeat(1001), MODEL)).toThrow('1,001 values are too many');
 });
 
 test('a link and the field of the panel say the same of them', () => {
   for (const text of ['', '0.5', '0.5,', '0.5,1,2', '1.5e-7,3e22']) {
-    const wish = parseIsolines(text);
-    expect(isolinesText(wish)).toBe(text);
+    const wish = parseIsolines(text, MODEL);
+    expect(isolinesText(wish, MODEL)).toBe(text);
     expect(decodeIsolines(encodeIsolines(wish))).toEqual(wish);
   }
 });

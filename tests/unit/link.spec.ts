@@ -1,4 +1,5 @@
 import { expect, test } from '@playwright/test';
+import { ofModel, SHOWN_UNITS, UNITS } from '../../web/length';
 import { CUTS, FILLS, INSIDE_NUMBERS, INSIDE_RANGES, WHOLE } from '../../web/state/inside';
 import { decodeLink, encodeLink } from '../../web/state/link';
 import { findStyle } from '../../web/state/styles';
@@ -10,7 +11,6 @@ import {
   SPEEDS,
   STILL,
   TRIANGLES,
-  UNITS,
 } from '../../web/state/scene';
 import {
   AUTOMATIC,
@@ -72,6 +72,7 @@ test('every change survives the link', () => {
     walker: { vertex: 5521 },
     up: '-x',
     unit: 'mm',
+    shownUnit: 'in',
     inside: {
       cut: 'wedge',
       turn: -120,
@@ -98,7 +99,7 @@ test('every change survives the link', () => {
     links: 3,
     pathKind: 'descent',
     refine: false,
-    isolines: { values: [0.5, 1.25], spacing: 0 },
+    isolines: { values: [ofModel(0.5), ofModel(1.25)], spacing: ofModel(0) },
     compared: {
       method: 'heat',
       windows: 1,
@@ -138,7 +139,7 @@ test('every change survives the link', () => {
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(
-    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22,6:0.125/0.25/0.5/0.125&w=5521&up=-x&unit=mm&cut=wedge&turn=-120&tilt=12.5&place=-0.25&opening=60&gap=0.5&spacing=0.1&whole=1&arrows=1&method=exact&windows=8&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg&refine=0' +
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22,6:0.125/0.25/0.5/0.125&w=5521&up=-x&unit=mm&shown=in&cut=wedge&turn=-120&tilt=12.5&place=-0.25&opening=60&gap=0.5&spacing=0.1&whole=1&arrows=1&method=exact&windows=8&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg&refine=0' +
       '&bridge=0.0125&links=3&way=descent&vs=method:heat,windows:1,t:auto,b:dirichlet,multi:exact,near:auto,memory:auto,op:relocate,solver:cholesky,refine:1,at:0.375',
   );
 });
@@ -158,6 +159,7 @@ const SCENES: readonly Partial<SceneState>[] = [
   ),
   ...([...UP.names, AUTOMATIC] as const).map((up) => ({ up })),
   ...UNITS.map((unit) => ({ unit })),
+  ...SHOWN_UNITS.map((shownUnit) => ({ shownUnit })),
   ...TRIANGLES.map((triangles) => ({ triangles })),
   ...[...FILLS, null].map((fill) => ({ fill })),
   ...CUTS.map((cut) => ({ inside: { ...WHOLE, cut } })),

@@ -1,4 +1,5 @@
 import { expect, test } from '@playwright/test';
+import { ofModel } from '../../web/length';
 import type { DistanceField, PathKind, DrawPath } from '../../web/protocol';
 import type { Answer, Engine } from '../../web/solver/engine';
 import { type Phase, Refiner } from '../../web/solver/refiner';
@@ -12,9 +13,9 @@ const PATH: DrawPath = {
   points: new Float32Array(),
   normals: new Float32Array(),
   drawnLength: 1,
-  length: 2,
-  straight: 2,
-  cost: 2,
+  length: ofModel(2),
+  straight: ofModel(2),
+  cost: ofModel(2),
   segmentCosts: new Float32Array(),
 };
 
@@ -22,10 +23,10 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
   const field: DistanceField = {
     distance: new Float32Array(),
     tangents: new Int8Array(),
-    maxDistance: 1,
+    maxDistance: ofModel(1),
     byCorner: false,
     unreachableVertices: 0,
-    exactBelow,
+    exactBelow: ofModel(exactBelow),
     exactShare: 0,
     timeFactor: 1,
     windows: undefined,
@@ -54,9 +55,9 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
     contacts: 0,
     contactsComplete: true,
     crackPortals: 0,
-    crackGap: 0,
+    crackGap: ofModel(0),
     links: 0,
-    linkedGap: 0,
+    linkedGap: ofModel(0),
   };
   const factoring = { timings, ...joined, factorNonzeros: 0, memoryBytes: 0 };
   return {

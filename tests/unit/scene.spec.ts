@@ -1,5 +1,6 @@
 import { expect, test } from '@playwright/test';
 import { LEVEL } from '../../web/state/ground';
+import { ofModel } from '../../web/length';
 import { moveSource, setInitialDistance } from '../../web/state/edit';
 import { Scene } from '../../web/state/history';
 import { emptyScene } from '../../web/state/scene';
@@ -34,7 +35,7 @@ test('a drag is one undo step', () => {
 
 test('a moved source keeps its initial distance, and undo restores the old one', () => {
   const scene = fresh();
-  setInitialDistance(scene, 0, 0.5, {});
+  setInitialDistance(scene, 0, ofModel(0.5), {});
   moveSource(scene, 0, { vertex: 7 }, {});
   expect(scene.state.sources).toEqual([{ vertex: 7, offset: 0.5 }]);
   scene.undo();
@@ -46,9 +47,9 @@ test('a moved source keeps its initial distance, and undo restores the old one',
 test('typing an initial distance is one undo step, and 0 is not stored', () => {
   const scene = fresh();
   const typing = {};
-  for (const offset of [1, 12, 125]) setInitialDistance(scene, 0, offset, typing);
+  for (const offset of [1, 12, 125]) setInitialDistance(scene, 0, ofModel(offset), typing);
   expect(scene.state.sources).toEqual([{ vertex: 1, offset: 125 }]);
-  setInitialDistance(scene, 0, 0, {});
+  setInitialDistance(scene, 0, ofModel(0), {});
   expect(scene.state.sources).toEqual([{ vertex: 1 }]);
   scene.undo();
   scene.undo();

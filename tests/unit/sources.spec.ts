@@ -7,6 +7,7 @@ import {
   partOf,
   verticesOfPart,
 } from '../../web/session/outlines';
+import { MODEL, ofModel } from '../../web/length';
 import { addSet, moveSource, removeSelected, selectedSet, setInitialDistance, setSource } from '../../web/state/edit';
 import { isList, isNamedList, rowsOf } from '../../web/state/list';
 import { Scene } from '../../web/state/history';
@@ -49,7 +50,7 @@ test('a set is one step of undo, is selected, and is removed and moved by nothin
   const scene = fresh();
   addSet(scene, LINE);
   expect(selectedSet(scene)).toBe(LINE);
-  setInitialDistance(scene, 1, 2, {});
+  setInitialDistance(scene, 1, ofModel(2), {});
   expect(scene.state.sets[0].offset).toBe(2);
   moveSource(scene, 0, { vertex: 8 }, {});
   scene.undo();
@@ -171,21 +172,21 @@ for (const broken of [
 }
 
 test('rows are sources by vertex or by place, with an initial distance or without', () => {
-  const named = rowsOf('a.csv', 'vertex,offset\n3,0.5\n\n4,\n');
+  const named = rowsOf('a.csv', 'vertex,offset\n3,0.5\n\n4,\n', MODEL);
   expect(named.map(({ at }) => String(at))).toEqual(['a.csv, line 2', 'a.csv, line 4']);
   expect(named).toMatchObject([
     { place: { vertex: 3 }, offset: 0.5 },
     { place: { vertex: 4 }, offset: 0 },
   ]);
-  expect(rowsOf('a.csv', '7')).toMatchObject([{ place: { vertex: 7 }, offset: 0 }]);
-  expect(rowsOf('a.csv', '1 -2e-3 .5\r\n1,2,3,4')).toMatchObject([
+  expect(rowsOf('a.csv', '7', MODEL)).toMatchObject([{ place: { vertex: 7 }, offset: 0 }]);
+  expect(rowsOf('a.csv', '1 -2e-3 .5\r\n1,2,3,4', MODEL)).toMatchObject([
     { place: { coordinates: [1, -0.002, 0.5] }, offset: 0 },
     { place: { coordinates: [1, 2, 3] }, offset: 4 },
   ]);
   // By its heading, in any order and with columns that are not needed.
-  const [row] = rowsOf('a.csv', '"Z";"name";"X";"Y"\n3;a;1;2');
+  const [row] = rowsOf('a.csv', '"Z";"name";"X";"Y"\n3;a;1;2', MODEL);
   expect(row).toMatchObject({ place: { coordinates: [1, 2, 3] }, offset: 0 });
-  expect(rowsOf('a.csv', 'points\n5')).toMatchObject([{ place: { vertex: 5 }, offset: 0 }]);
+  expect(rowsOf('a.csv', 'points\n5', MODEL)).toMatchObject([{ place: { vertex: 5 }, offset: 0 }]);
 });
 
 for (const [text, said] of [
@@ -200,7 +201,7 @@ for (const [text, said] of [
   ['-3', 'a.csv: a vertex'],
 ]) {
   test(`the list ${JSON.stringify(text)} is refused with its line`, () => {
-    expect(() => rowsOf('a.csv', text)).toThrow(said);
+    expect(() => rowsOf('a.csv', text, MODEL)).toThrow(said);
   });
 }
 

@@ -1,12 +1,13 @@
 import { expect, test } from '@playwright/test';
+import { ofModel, unitOf } from '../../web/length';
 import type { Leg, MeshPoint } from '../../web/protocol';
 import { lengthOf, type MeasuredTape, stateOf } from '../../web/session/tapes';
 import { decodeLink, encodeLink } from '../../web/state/link';
 import { Scene } from '../../web/state/history';
-import { emptyScene, type SceneState, unitOf } from '../../web/state/scene';
+import { emptyScene, type SceneState } from '../../web/state/scene';
 import { canClose, close, extended, legsOf, moved, type Tape, withoutPlace } from '../../web/state/tapes';
 import { areaLabel, csvOf, enclosureWords, lengthWords } from '../../web/ui/measure/words';
-import { measure, volume } from '../../web/ui/words';
+import { measure, volume } from '../../web/state/measures';
 
 const START = emptyScene({ kind: 'preset', id: 'bunny' });
 const at = (vertex: number): MeshPoint => ({ vertex });
@@ -16,15 +17,15 @@ const METRES = { symbol: 'm', assumed: false, scale: 1 };
 const leg = (length: number, straight: number): Leg => ({
   triangles: new Uint32Array(2),
   weights: new Float64Array(6),
-  length,
-  straight,
-  cost: length,
+  length: ofModel(length),
+  straight: ofModel(straight),
+  cost: ofModel(length),
 });
 const measured = (over: Partial<MeasuredTape> = {}): MeasuredTape => ({
   tape: tape(1, 2, 3),
   legs: [
-    { state: 'exact', leg: leg(2, 1), straight: 1 },
-    { state: 'estimated', leg: leg(4, 3), straight: 3 },
+    { state: 'exact', leg: leg(2, 1), straight: ofModel(1) },
+    { state: 'estimated', leg: leg(4, 3), straight: ofModel(3) },
   ],
   enclosure: null,
   ...over,
@@ -92,10 +93,10 @@ test('undo takes tapes and the scale back', () => {
 });
 
 test('a known length scales lengths, areas and volumes', () => {
-  const unit = unitOf({ unit: 'm', scale: 2 }, { unit: '', unitAssumed: false });
-  expect(String(measure(3, unit))).toBe('6 m');
-  expect(String(volume(3, unit))).toBe('24 m³');
-  const ring = measured({ tape: { ...tape(1, 2, 3), closed: true }, enclosure: { kind: 'sides', area: 3 } });
+  const unit = unitOf({ unit: 'm', scale: 2, shownUnit: null }, { unit: '', unitAssumed: false });
+  expect(String(measure(ofModel(3), unit))).toBe('6 m');
+  expect(String(volume(ofModel(3), unit))).toBe('24 m³');
+  const ring = measured({ tape: { ...tape(1, 2, 3), closed: true }, enclosure: { kind: 'sides', area: ofModel(3) } });
   expect(String(enclosureWords(ring, unit))).toBe('Area enclosed: 12 m².');
   expect(String(areaLabel(ring, unit))).toBe('area 12 m²');
   expect(String(areaLabel(ring, { ...unit, symbol: '' }))).toBe('area 12');
@@ -104,24 +105,31 @@ test('a known length scales lengths, areas and volumes', () => {
 test('a sum is as certain as its least certain leg', () => {
   const chain = measured();
   expect([lengthOf(chain), stateOf(chain)]).toEqual([6, 'estimated']);
-  const torn = measured({ legs: [...chain.legs, { state: 'none', leg: null, straight: 1 }] });
+  const torn = measured({ legs: [...chain.legs, { state: 'none', leg: null, straight: ofModel(1) }] });
   expect([lengthOf(torn), stateOf(torn)]).toEqual([NaN, 'none']);
-  expect(String(lengthWords(6, 'estimated', METRES))).toBe('≈ 6 m');
-  expect(String(lengthWords(6, 'exact', METRES))).toBe('6 m');
-  expect(String(lengthWords(NaN, 'none', METRES))).toBe('not connected');
+  expect(String(lengthWords(ofModel(6), 'estimated', METRES))).toBe('≈ 6 m');
+  expect(String(lengthWords(ofModel(6), 'exact', METRES))).toBe('6 m');
+  expect(String(lengthWords(ofModel(NaN), 'none', METRES))).toBe('not connected');
 });
 
 test('a tape that encloses no area says why', () => {
   const ring = { tape: { ...tape(1, 2, 3), closed: true } };
   const words = (kind: 'whole' | 'crossed' | 'sideless') =>
-    enclosureWords(measured({ ...ring, enclosure: { kind, area: 0 } }), METRES);
+    enclosureWords(measured({ ...ring, enclosure: { kind, area: ofModel(0) } }), METRES);
   expect(String(words('whole'))).toContain('does not part');
   expect(String(words('crossed'))).toContain('crosses itself');
   expect(String(words('sideless'))).toContain('no two sides');
   const lines = new Float32Array();
-  const path = { points: lines, normals: lines, segmentCosts: lines, drawnLength: 2, length: 2, cost: 2 };
-  const within: Leg = { ...path, straight: 2 };
-  const inside = measured({ ...ring, legs: [{ state: 'exact', leg: within, straight: 2 }] });
+  const path = {
+    points: lines,
+    normals: lines,
+    segmentCosts: lines,
+    drawnLength: 2,
+    length: ofModel(2),
+    cost: ofModel(2),
+  };
+  const within: Leg = { ...path, straight: ofModel(2) };
+  const inside = measured({ ...ring, legs: [{ state: 'exact', leg: within, straight: ofModel(2) }] });
   expect(String(enclosureWords(inside, METRES))).toContain('through the inside');
   expect(enclosureWords({ ...inside, tape: tape(1, 2, 3) }, METRES)).toBeNull();
   expect(enclosureWords(measured(), METRES)).toBeNull();

@@ -1,15 +1,17 @@
 import { expect, test } from '@playwright/test';
+import { MODEL, ofModel } from '../../web/length';
 import type { DistanceField } from '../../web/protocol';
 import type { Phase } from '../../web/solver/refiner';
-import { errorWords, exactnessWords, fieldSentence, measure, refiningSentence } from '../../web/ui/words';
+import { measure } from '../../web/state/measures';
+import { errorWords, exactnessWords, fieldSentence, refiningSentence } from '../../web/ui/words';
 
 const FIELD: DistanceField = {
   distance: new Float32Array(),
   tangents: new Int8Array(),
-  maxDistance: 1,
+  maxDistance: ofModel(1),
   byCorner: false,
   unreachableVertices: 0,
-  exactBelow: 0.5,
+  exactBelow: ofModel(0.5),
   exactShare: 0.439,
   timeFactor: 1,
   windows: undefined,
@@ -20,7 +22,7 @@ const FIELD: DistanceField = {
 };
 
 const PROPAGATED: DistanceField = { ...FIELD, timeFactor: undefined, windows: 2 };
-const EXACT = { exactBelow: Infinity, exactShare: 1 };
+const EXACT = { exactBelow: ofModel(Infinity), exactShare: 1 };
 const ERROR = { mean: 0.0061, max: 0.0312 };
 
 test('the share of exact vertices is rounded down', () => {
@@ -31,9 +33,9 @@ test('the share of exact vertices is rounded down', () => {
 });
 
 test('a length has its unit, and says where that is assumed', () => {
-  expect(String(measure(0.12345, { symbol: 'mm', assumed: false, scale: 1 }))).toBe('0.123 mm');
-  expect(String(measure(2, { symbol: 'm', assumed: true, scale: 1 }))).toBe('2 m (assumed)');
-  expect(String(measure(2, { symbol: '', assumed: false, scale: 1 }))).toBe('2 units');
+  expect(String(measure(ofModel(0.12345), { symbol: 'mm', assumed: false, scale: 1 }))).toBe('0.123 mm');
+  expect(String(measure(ofModel(2), { symbol: 'm', assumed: true, scale: 1 }))).toBe('2 m (assumed)');
+  expect(String(measure(ofModel(2), { symbol: '', assumed: false, scale: 1 }))).toBe('2 units');
 });
 
 test('errors have as many decimals as they need', () => {
@@ -45,24 +47,26 @@ test('errors have as many decimals as they need', () => {
 });
 
 test('a field says which method it was found by, and how far it is exact', () => {
-  expect(String(fieldSentence(FIELD))).toBe('By the heat method: exact below 0.5 units (43 % of vertices).');
-  expect(String(fieldSentence({ ...FIELD, exactShare: 0 }))).toBe('By the heat method.');
-  expect(String(fieldSentence(PROPAGATED))).toBe(
+  expect(String(fieldSentence(FIELD, MODEL))).toBe('By the heat method: exact below 0.5 units (43 % of vertices).');
+  expect(String(fieldSentence({ ...FIELD, exactShare: 0 }, MODEL))).toBe('By the heat method.');
+  expect(String(fieldSentence(PROPAGATED, MODEL))).toBe(
     'By propagation with 2 windows: exact below 0.5 units (43 % of vertices), an upper bound beyond.',
   );
-  expect(String(fieldSentence({ ...PROPAGATED, windows: 1, exactShare: 0 }))).toBe('By propagation with 1 window.');
-  expect(String(fieldSentence({ ...FIELD, ...EXACT }))).toBe('Exact.');
-  expect(String(fieldSentence({ ...FIELD, ...EXACT, error: ERROR }))).toBe(
+  expect(String(fieldSentence({ ...PROPAGATED, windows: 1, exactShare: 0 }, MODEL))).toBe(
+    'By propagation with 1 window.',
+  );
+  expect(String(fieldSentence({ ...FIELD, ...EXACT }, MODEL))).toBe('Exact.');
+  expect(String(fieldSentence({ ...FIELD, ...EXACT, error: ERROR }, MODEL))).toBe(
     'Exact. Error of the heat method: mean 0.6 %, maximum 3.1 %.',
   );
-  expect(String(fieldSentence({ ...PROPAGATED, ...EXACT, error: ERROR }))).toBe(
+  expect(String(fieldSentence({ ...PROPAGATED, ...EXACT, error: ERROR }, MODEL))).toBe(
     'Exact. Error of propagation with 2 windows: mean 0.6 %, maximum 3.1 %.',
   );
 });
 
 test('every end of refinement has a sentence', () => {
   const wish = { method: 'auto', pathKind: 'descent' } as const;
-  const sentence = (phase: Phase) => refiningSentence(phase, { ...PROPAGATED, exactShare: 0 }, wish);
+  const sentence = (phase: Phase) => refiningSentence(phase, { ...PROPAGATED, exactShare: 0 }, wish, MODEL);
   const soFar = 'By propagation with 2 windows.';
   expect(String(sentence('refining'))).toBe(soFar);
   expect(String(sentence('late'))).toBe(`${soFar} Refinement stopped after 60 seconds.`);
@@ -70,8 +74,10 @@ test('every end of refinement has a sentence', () => {
   expect(String(sentence('memory'))).toBe(`${soFar} Refinement stopped because memory ran out.`);
   expect(String(sentence('off'))).toBe(`${soFar} Refinement is off.`);
   // It is never on.
-  expect(String(refiningSentence('off', { ...PROPAGATED, exactShare: 0 }, { ...wish, method: 'propagation' }))).toBe(
-    soFar,
+  expect(
+    String(refiningSentence('off', { ...PROPAGATED, exactShare: 0 }, { ...wish, method: 'propagation' }, MODEL)),
+  ).toBe(soFar);
+  expect(String(refiningSentence('memory', PROPAGATED, { ...wish, pathKind: 'exact' }, MODEL))).toContain(
+    'straightened',
   );
-  expect(String(refiningSentence('memory', PROPAGATED, { ...wish, pathKind: 'exact' }))).toContain('straightened');
 });

@@ -1,6 +1,7 @@
 /** What leaves the page: the direction that curves are seen from, and paths as files. */
 import type { DrawTransform, DrawPath, Tracks } from '../protocol';
-import { type Vector, distance, vectorAt, vectorsIn } from '../state/vector';
+import { headOf, type LengthUnit, unitOfFile } from '../length';
+import { type Vector, distance, scaled, vectorAt, vectorsIn } from '../state/vector';
 import { filePlace } from './nearest';
 
 /** Kinds of files of a path. */
@@ -23,24 +24,41 @@ export function trackPoints({ points, counts }: Tracks): Vector[][] {
   return Array.from(counts, (count) => Array.from({ length: count }, () => vectorAt(points, at++)));
 }
 
-/** A path as rows of a table, with the length walked so far, as a line, or as one of glTF. */
-export function pathFile(kind: PathFile, points: readonly Vector[]): string | Uint8Array<ArrayBuffer> {
-  return kind === 'csv' ? ['length,x,y,z', ...rowsOf(points), ''].join('\n') : linesFile(kind, 'path', [points]);
+/** A path as rows of a table, with the length walked so far, as a line, or as one of glTF; `points` of the model, told in a unit. */
+export function pathFile(
+  kind: PathFile,
+  points: readonly Vector[],
+  unit: LengthUnit,
+): string | Uint8Array<ArrayBuffer> {
+  const told = inUnitOfFile(kind, [points], unit);
+  if (kind !== 'csv') return linesFile(kind, 'path', told, unit);
+  return [headOf(['length', 'x', 'y', 'z'], unit), ...told.flatMap(rowsOf), ''].join('\n');
 }
 
 /** The same of many, whose rows begin with the number of the track. */
-export function tracksFile(kind: PathFile, tracks: readonly (readonly Vector[])[]): string | Uint8Array<ArrayBuffer> {
-  if (kind !== 'csv') return linesFile(kind, 'tracks', tracks);
-  const rows = tracks.flatMap((points, number) => rowsOf(points).map((row) => `${number},${row}`));
-  return ['walker,length,x,y,z', ...rows, ''].join('\n');
+export function tracksFile(
+  kind: PathFile,
+  tracks: readonly (readonly Vector[])[],
+  unit: LengthUnit,
+): string | Uint8Array<ArrayBuffer> {
+  const told = inUnitOfFile(kind, tracks, unit);
+  if (kind !== 'csv') return linesFile(kind, 'tracks', told, unit);
+  const rows = told.flatMap((points, number) => rowsOf(points).map((row) => `${number},${row}`));
+  return [`walker,${headOf(['length', 'x', 'y', 'z'], unit)}`, ...rows, ''].join('\n');
+}
+
+function inUnitOfFile(kind: PathFile, lines: readonly (readonly Vector[])[], unit: LengthUnit): Vector[][] {
+  const { scale } = unitOfFile(kind, unit);
+  return lines.map((points) => points.map((point) => scaled(point, scale)));
 }
 
 function linesFile(
   kind: 'obj' | 'glb',
   name: string,
   lines: readonly (readonly Vector[])[],
+  unit: LengthUnit,
 ): string | Uint8Array<ArrayBuffer> {
-  return kind === 'obj' ? linesObj(name, lines) : linesGlb(name, lines);
+  return kind === 'obj' ? linesObj(name, lines, unit) : linesGlb(name, lines);
 }
 
 function rowsOf(points: readonly Vector[]): string[] {
@@ -51,11 +69,12 @@ function rowsOf(points: readonly Vector[]): string[] {
   });
 }
 
-function linesObj(name: string, lines: readonly (readonly Vector[])[]): string {
+function linesObj(name: string, lines: readonly (readonly Vector[])[], { symbol }: LengthUnit): string {
   let last = 0;
   const elements = lines.map((points) => `l ${points.map(() => ++last).join(' ')}`);
   const vertices = lines.flat().map((point) => `v ${point.join(' ')}`);
-  return [`# ${name} on a surface by Heatwalk`, ...vertices, ...elements, ''].join('\n');
+  const comments = [`# ${name} on a surface by Heatwalk`, ...(symbol ? [`# lengths in ${symbol}`] : [])];
+  return [...comments, ...vertices, ...elements, ''].join('\n');
 }
 
 /** Of glTF 2.0: a primitive that is pairs of vertices, numbers in single precision, a buffer of vertices. */

@@ -6,6 +6,8 @@ import { type Answer, type Engine, isSameField, isSameMoment, type Question } fr
 import { Refiner } from '../solver/refiner';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
+import { ofModel, unitOf } from '../length';
+import { measure } from '../state/measures';
 import { Places } from '../state/places';
 import type { Scene } from '../state/history';
 import { type SceneState, upOf } from '../state/scene';
@@ -384,7 +386,7 @@ export class Session {
       return;
     }
     this.#fatal = asked;
-    const exactBelow = this.shown.value?.answer.field?.exactBelow ?? 0;
+    const before = this.shown.value;
     try {
       this.#use(await this.#startAgain(request, state), request);
     } catch (error) {
@@ -392,7 +394,8 @@ export class Session {
       return;
     }
     if (await this.#solve()) {
-      const what = this.refiner.hasLostWorker && isOutOfMemory(lost) ? outOfMemory(exactBelow) : lost.words;
+      const isForMemory = this.refiner.hasLostWorker && isOutOfMemory(lost);
+      const what = isForMemory && before ? outOfMemory(before, state) : lost.words;
       this.failure.value = new Failure(t`${what} The solver was restarted; the scene is unchanged.`, { cause: lost });
     }
   }
@@ -535,7 +538,8 @@ function asText({
   return JSON.stringify(asked);
 }
 
-/** Where refinement has ended a worker. `exactBelow`: in the unit of the file. */
-function outOfMemory(exactBelow: number): Words {
-  return t`Refinement needed more memory than the browser gives; distances were exact below ${exactBelow.toPrecision(3)} units.`;
+/** Where refinement has ended a worker. */
+function outOfMemory({ opened, answer: { field } }: Shown, state: SceneState): Words {
+  const exactBelow = measure(field?.exactBelow ?? ofModel(0), unitOf(state, opened));
+  return t`Refinement needed more memory than the browser gives; distances were exact below ${exactBelow}.`;
 }

@@ -3,9 +3,10 @@ import { Failure } from '../error';
 import type { MeshPoint, Source } from '../protocol';
 import { addSet, addSource, replaceSet, selectedSet } from '../state/edit';
 import { type Row, rowsOf } from '../state/list';
-import type { Vector } from '../state/vector';
+import { scaled, type Vector } from '../state/vector';
 import type { Scene } from '../state/history';
-import { unitOf } from '../state/scene';
+import { headOf, MODEL, ofModel, typed, unitOf } from '../length';
+import { measure } from '../state/measures';
 import {
   allSources,
   type Corner,
@@ -21,9 +22,7 @@ import { atVertices, lineThrough, type Mesh, outlined, pointsOf } from './found'
 import { drawnPlace, filePlace, nearestPlace } from './nearest';
 import { boundaryNear, partOf } from './outlines';
 import type { Session } from './session';
-import { count, numbers, t, type Words } from '../texts';
-
-const amount = numbers({ maximumSignificantDigits: 3 });
+import { count, t, type Words } from '../texts';
 
 /** Letters of the name of a list. */
 const LONGEST_NAME = 60;
@@ -167,9 +166,10 @@ export function addList(session: Session, name: string, text: string): Words {
   if (!mesh) throw new Failure(t('There is no mesh yet.'));
   const { scene } = session;
   const { opened } = mesh;
-  const placed = rowsOf(name, text).map((row) => placedOf(row, mesh));
-  const farthest = placed.reduce((most, { away }) => Math.max(most, away), 0) / opened.drawTransform.scale;
-  const far = t`${amount(farthest)} ${unitOf(scene.state, opened).symbol || t('units')}`;
+  const unit = unitOf(scene.state, opened);
+  const placed = rowsOf(name, text, unit).map((row) => placedOf(row, mesh));
+  const farthest = placed.reduce((most, { away }) => Math.max(most, away), 0);
+  const far = measure(ofModel(farthest / opened.drawTransform.scale), unit);
   const [first, ...others] = placed;
   if (first && others.length === 0) {
     addSource(scene, first.source);
@@ -223,18 +223,23 @@ function inOrder(sources: readonly Source[]): Source[] {
   return once.toSorted((a, b) => indexOf(a) - indexOf(b));
 }
 
-/** All sources as rows that `addList` takes: by vertex where all are vertices, else by their coordinates. */
+/** All sources as rows that `addList` takes: by vertex where all are vertices, else by their coordinates. The head says the unit. */
 export function tableOf({ scene, shown }: Session): string {
   const sources = allSources(scene.state);
+  const unit = shown.value ? unitOf(scene.state, shown.value.opened) : MODEL;
   const isByVertex = sources.every((source) => 'vertex' in source);
   const rows = sources.map((source) => {
     const mesh = shown.value;
-    const start = source.offset ?? 0;
+    const start = typed(ofModel(source.offset ?? 0), unit);
     if (isByVertex && 'vertex' in source) return `${source.vertex},${start}`;
     const place: Vector = mesh?.places.at(source)?.position ?? [0, 0, 0];
-    return mesh ? [...filePlace(place, mesh.opened.drawTransform), start].join() : '';
+    return mesh ? [...scaled(filePlace(place, mesh.opened.drawTransform), unit.scale), start].join() : '';
   });
-  return [isByVertex ? 'vertex,offset' : 'x,y,z,offset', ...rows, ''].join('\n');
+  return [
+    isByVertex ? `vertex,${headOf(['offset'], unit)}` : headOf(['x', 'y', 'z', 'offset'], unit),
+    ...rows,
+    '',
+  ].join('\n');
 }
 
 function meshOf({ engine, shown }: Session): Mesh | null {

@@ -6,6 +6,7 @@ import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { isWeighted } from '../state/ground';
 import { distance } from '../state/vector';
+import { type ModelLength, ofModel } from '../length';
 import { Signal, until } from '../state/signal';
 import { legsOf, type Tape } from '../state/tapes';
 import type { Shown } from './prepare';
@@ -23,8 +24,8 @@ export interface MeasuredLeg {
   state: LegState;
   /** The path; null where there is none, or none yet. */
   leg: Leg | null;
-  /** Length of the straight line, in the unit of the file. */
-  straight: number;
+  /** Length of the straight line. */
+  straight: ModelLength;
 }
 
 export interface MeasuredTape {
@@ -50,14 +51,14 @@ type Basis = Pick<Shown['answer']['question'], 'bridge' | 'links' | 'ground' | '
 
 const isKnown = ({ state }: MeasuredLeg) => state !== 'measuring' && state !== 'estimated';
 
-/** Sum of the lengths of the paths, in the unit of the file; NaN while one is not known, or is none. */
-export function lengthOf({ legs }: Pick<MeasuredTape, 'legs'>): number {
-  return legs.reduce((sum, { leg }) => sum + (leg?.length ?? NaN), 0);
+/** Sum of the lengths of the paths; NaN while one is not known, or is none. */
+export function lengthOf({ legs }: Pick<MeasuredTape, 'legs'>): ModelLength {
+  return ofModel(legs.reduce((sum, { leg }) => sum + (leg?.length ?? NaN), 0));
 }
 
 /** Sum of the straight lines. */
-export function straightOf({ legs }: Pick<MeasuredTape, 'legs'>): number {
-  return legs.reduce((sum, { straight }) => sum + straight, 0);
+export function straightOf({ legs }: Pick<MeasuredTape, 'legs'>): ModelLength {
+  return ofModel(legs.reduce((sum, { straight }) => sum + straight, 0));
 }
 
 /** What is known of all legs together: the least of it. */
@@ -126,9 +127,9 @@ export class Tapes {
   #unmeasured([from, to]: readonly [MeshPoint, MeshPoint]): MeasuredLeg {
     const { shown } = this.#session;
     const [a, b] = [from, to].map((end) => shown.value?.places.at(end)?.position);
-    if (!shown.value || !a || !b) return { state: 'none', leg: null, straight: NaN };
+    if (!shown.value || !a || !b) return { state: 'none', leg: null, straight: ofModel(NaN) };
     const { scale } = shown.value.opened.drawTransform;
-    return { state: 'measuring', leg: null, straight: distance(a, b) / scale };
+    return { state: 'measuring', leg: null, straight: ofModel(distance(a, b) / scale) };
   }
 
   /** Measures what is not measured, one leg after the other, the newest tape first. */

@@ -2,6 +2,7 @@
  * How errors fall with the edges. Each triangle split in four at the middles of its edges leaves the surface as it is, and with it the
  * exact distance, so that the length of the edges is all that changes.
  */
+import { headOf, type LengthUnit, type ModelLength, told } from '../length';
 import type { FieldError, OpenedMesh, Source } from '../protocol';
 import { markdownTable } from './markdown';
 import { entry } from './entry';
@@ -21,7 +22,7 @@ export interface Studied {
 /** What is measured of one surface: `edge` is the mean length. */
 export interface Level {
   triangles: number;
-  edge: number;
+  edge: ModelLength;
   heat: FieldError;
   propagation: FieldError;
 }
@@ -110,15 +111,15 @@ const ERRORS: readonly (readonly [string, (level: Level) => number])[] = [
 ];
 
 /** A line a surface, and one of slopes. */
-export function markdownOf(levels: readonly Level[]): string {
+export function markdownOf(levels: readonly Level[], unit: LengthUnit): string {
   const rows = levels.map((level) => [
     String(level.triangles),
-    level.edge.toPrecision(4),
+    told(level.edge, unit).toPrecision(4),
     ...ERRORS.map(([, errorOf]) => (100 * errorOf(level)).toPrecision(3)),
   ]);
   const slopes = ERRORS.map(([, errorOf]) => slopeOf(levels, errorOf)?.toFixed(2) ?? '–');
   return markdownTable(
-    ['Triangles', 'Mean edge', ...ERRORS.map(([name]) => name)],
+    ['Triangles', headOf(['Mean edge'], unit), ...ERRORS.map(([name]) => name)],
     [...rows, ['Slope', '', ...slopes]],
   );
 }

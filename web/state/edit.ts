@@ -3,6 +3,7 @@ import type { MeshPoint } from '../protocol';
 import { UP, type Up } from '../wasm/contract';
 import type { Inside } from './inside';
 import type { Scene } from './history';
+import type { ModelLength } from '../length';
 import { upOf } from './scene';
 import { type SourceSet, withOffset } from './sources';
 import { entry } from './entry';
@@ -39,7 +40,7 @@ export function selectedSet(scene: Scene): SourceSet | undefined {
 }
 
 /** Sets the initial distance of an entry of the list, in the unit of the file. */
-export function setInitialDistance(scene: Scene, index: number, offset: number, gesture: object): void {
+export function setInitialDistance(scene: Scene, index: number, offset: ModelLength, gesture: object): void {
   const { sources, sets } = scene.state;
   const source = sources[index];
   const set = sets[index - sources.length];

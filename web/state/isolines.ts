@@ -1,14 +1,15 @@
 /** At which distances isolines are, and how a link writes it. */
 import { Failure } from '../error';
 import type { IsolineWish } from '../protocol';
+import { inModel, type LengthUnit, MODEL, ofModel, typed } from '../length';
 import { amount, parseAmount } from './text';
 import { count, t } from '../texts';
 
 /** As many as a table has rows for. */
 const MOST = 1000;
 
-/** As a person types it: one number is a spacing, several are values, and so is one with a comma; nothing is null. */
-export function parseIsolines(text: string): IsolineWish | null {
+/** As a person types it, in the unit that is shown: one number is a spacing, several are values, and so is one with a comma; nothing is null. */
+export function parseIsolines(text: string, unit: LengthUnit): IsolineWish | null {
   const words = text.split(/[\s,;]+/).filter((word) => word !== '');
   const numbers = words.map(Number);
   const bad = words.find((word) => !(Number(word) >= 0 && Number(word) < Infinity));
@@ -20,20 +21,24 @@ export function parseIsolines(text: string): IsolineWish | null {
     throw new Failure(t`${count(numbers.length)} values are too many; give at most ${count(MOST)}, or a spacing.`);
   const isList = numbers.length > 1 || /[,;]/.test(text);
   if (!isList && spacing === 0) throw new Failure(t('A spacing of 0 has no end of isolines. Give a larger one.'));
-  return isList ? { values: numbers, spacing: 0 } : { values: [], spacing };
+  return isList ? wishOf(numbers, unit) : { values: [], spacing: inModel(spacing, unit) };
+}
+
+function wishOf(values: readonly number[], unit: LengthUnit): IsolineWish {
+  return { values: values.map((value) => inModel(value, unit)), spacing: ofModel(0) };
 }
 
 /** What `parseIsolines` reads as the same. */
-export function isolinesText(wish: IsolineWish | null): string {
+export function isolinesText(wish: IsolineWish | null, unit: LengthUnit): string {
   if (!wish) return '';
-  if (wish.values.length === 0) return amount(wish.spacing);
-  const values = wish.values.map(amount).join();
+  if (wish.values.length === 0) return amount(typed(wish.spacing, unit));
+  const values = wish.values.map((value) => amount(typed(value, unit))).join();
   return wish.values.length === 1 ? `${values},` : values;
 }
 
 /** In a link; `stripes` where isolines are at the period of these. */
 export function encodeIsolines(wish: IsolineWish | null): string {
-  return isolinesText(wish) || 'stripes';
+  return isolinesText(wish, MODEL) || 'stripes';
 }
 
 /** What `encodeIsolines` wrote; undefined for other text. */
@@ -44,6 +49,6 @@ export function decodeIsolines(text: string): IsolineWish | null | undefined {
   const numbers = (words.length === 2 && words[1] === '' ? words.slice(0, 1) : words).map(parseAmount);
   if (numbers.length > MOST || !numbers.every((value) => value !== undefined)) return undefined;
   const [spacing = 0] = numbers;
-  if (!isSpacing) return { values: numbers, spacing: 0 };
-  return spacing > 0 ? { values: [], spacing } : undefined;
+  if (!isSpacing) return wishOf(numbers, MODEL);
+  return spacing > 0 ? { values: [], spacing: ofModel(spacing) } : undefined;
 }

@@ -6,17 +6,9 @@ import { COSTS, decodeGround, encodeGround } from './ground';
 import { CUTS, FILLS, INSIDE_NUMBERS, INSIDE_RANGES } from './inside';
 import { decodeIsolines, encodeIsolines } from './isolines';
 import { type Key, keysOf, read } from './keys';
+import { SHOWN_UNITS, UNITS } from '../length';
 import { POINT, SOURCES } from './points';
-import {
-  LARGEST_CROWD,
-  LIGHTS,
-  type MeshReference,
-  OVERLAYS,
-  type SceneState,
-  SPEEDS,
-  TRIANGLES,
-  UNITS,
-} from './scene';
+import { LARGEST_CROWD, LIGHTS, type MeshReference, OVERLAYS, type SceneState, SPEEDS, TRIANGLES } from './scene';
 import { decodeSets, encodeSets } from './sets';
 import { SETTINGS } from './settings';
 import {
@@ -135,6 +127,7 @@ const EDITS = [
   whole('up', 'up', automaticOr(choiceOf(UP))),
   whole('unit', 'unit', automaticOr(oneOf(UNITS))),
   whole('scale', 'scale', within(SCALES, amount)),
+  whole('shown', 'shownUnit', or('same', null, oneOf(SHOWN_UNITS))),
   whole('tape', 'tapes', TAPES),
   whole('ground', 'ground', {
     encode: encodeGround,

@@ -1,22 +1,26 @@
 /** Lists of sources as rows of text: a CSV file, what is pasted, what is typed. */
 import { Failure } from '../error';
+import { inModel, inUnit, type LengthUnit, type ModelLength } from '../length';
 import { MOST_POINTS } from './sources';
 import type { Vector } from './vector';
 import { count, t, type Words } from '../texts';
 
-/** Where a source is to be: at a vertex of the input, or at the place of the surface that is nearest to coordinates. */
+/** Where a source is to be: at a vertex of the input, or at the place of the surface that is nearest to coordinates of the model. */
 export type RowPlace = { vertex: number } | { coordinates: Vector };
 
 export interface Row {
   place: RowPlace;
   /** Initial distance. */
-  offset: number;
+  offset: ModelLength;
   /** What a message names it by. */
   at: Words;
 }
 
 const SEPARATORS = /\s*[,;\t]\s*|\s+/;
 const FORMS = t('Give a vertex, or x y z; an initial distance may follow.');
+/** The unit of a column, in its heading. */
+const UNIT = /\s*\(([^()]*)\)/;
+const UNITS = new RegExp(UNIT, 'g');
 /** Names of the columns, by the first row. */
 const VERTEX = ['vertex', 'v', 'vertex_id'];
 const OFFSET = ['offset', 'initial', 'initial_distance', 'distance'];
@@ -42,13 +46,15 @@ export function isList(text: string): boolean {
 }
 
 /**
- * Rows `vertex`, `vertex,offset`, `x,y,z` or `x,y,z,offset`, vertices counted from 0, coordinates and initial distances in the unit
- * of the file. Commas, semicolons, tabs and blanks separate. A first row of words is a heading: it says which column is what.
+ * Rows `vertex`, `vertex,offset`, `x,y,z` or `x,y,z,offset`, vertices counted from 0. Commas, semicolons, tabs and blanks separate. A
+ * first row of words is a heading: it says which column is what, and may say in which unit lengths are, `x (mm)`; else they are in `unit`.
  *
  * @throws where a row is none, with its line.
  */
-export function rowsOf(name: string, text: string): Row[] {
+export function rowsOf(name: string, text: string, unit: LengthUnit): Row[] {
   const rows = rowsIn(text);
+  const [, symbol] = UNIT.exec(rows[0]?.text ?? '') ?? [];
+  const own = symbol ? inUnit(unit, symbol) : unit;
   const named = rows[0] && columnsNamed(rows[0].cells);
   if (named || (rows[0] && rows[0].cells.every((cell) => Number.isNaN(numberIn(cell))))) rows.shift();
   if (rows.length === 0) throw new Failure(t`${name} has no sources. ${FORMS}`);
@@ -60,13 +66,14 @@ export function rowsOf(name: string, text: string): Row[] {
     const at = isOne ? name : t`${name}, line ${line}`;
     const columns = named ?? columnsOf(cells);
     if (!columns) throw new Failure(t`${at}: “${cells.join(' ').slice(0, 40)}” is no source. ${FORMS}`);
-    return rowOf(cells, columns, at);
+    return rowOf(cells, columns, at, own);
   });
 }
 
-function rowOf(cells: readonly string[], { vertex, axes, offset: own }: Columns, at: Words): Row {
+function rowOf(cells: readonly string[], { vertex, axes, offset: own }: Columns, at: Words, unit: LengthUnit): Row {
   const valueAt = (column: number) => numberIn(cells[column] ?? '');
-  const offset = own < 0 || (cells[own] ?? '') === '' ? 0 : valueAt(own);
+  const typed = own < 0 || (cells[own] ?? '') === '' ? 0 : valueAt(own);
+  const offset = inModel(typed, unit);
   // Negated, so that NaN is rejected too.
   if (!(offset >= 0 && offset < Infinity)) {
     throw new Failure(t`${at}: an initial distance is a number from 0 on, not “${(cells[own] ?? '').slice(0, 40)}”.`);
@@ -80,15 +87,15 @@ function rowOf(cells: readonly string[], { vertex, axes, offset: own }: Columns,
   }
   const [x = NaN, y = NaN, z = NaN] = axes.map(valueAt);
   if (![x, y, z].every(Number.isFinite)) throw new Failure(t`${at}: x, y and z must be numbers.`);
-  return { place: { coordinates: [x, y, z] }, offset, at };
+  return { place: { coordinates: [inModel(x, unit), inModel(y, unit), inModel(z, unit)] }, offset, at };
 }
 
-function rowsIn(text: string): { cells: string[]; line: number }[] {
+function rowsIn(text: string): { text: string; cells: string[]; line: number }[] {
   return text
     .split(/\r\n|\r|\n/)
     .map((row, index) => ({ row: row.trim(), line: index + 1 }))
     .filter(({ row }) => row !== '')
-    .map(({ row, line }) => ({ cells: row.split(SEPARATORS), line }));
+    .map(({ row, line }) => ({ text: row, cells: row.replaceAll(UNITS, '').split(SEPARATORS), line }));
 }
 
 /** What a heading says; null for a row that is none. */

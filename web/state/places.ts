@@ -1,5 +1,6 @@
 /** Where surface points lie on the drawn mesh, and what holds there. */
 import type { DistanceField, DrawPose, OpenedMesh, MeshPoint } from '../protocol';
+import { type ModelLength, ofModel } from '../length';
 import { distance, moved, normalized, type Vector, vectorAt } from './vector';
 import { entry } from './entry';
 
@@ -25,7 +26,7 @@ export class Places {
   /** Of each input vertex one drawn vertex, −1 where none is drawn. */
   readonly #drawnOf: Int32Array;
   /** Diagonal of the bounding box, in the unit of the file. */
-  readonly diameter: number;
+  readonly diameter: ModelLength;
   /** The same as it is drawn. */
   readonly drawnDiameter: number;
   /** The bounding box as it is drawn. */
@@ -40,7 +41,7 @@ export class Places {
     });
     this.box = boxAround(mesh.surface.positions);
     this.drawnDiameter = distance(...this.box);
-    this.diameter = this.drawnDiameter / mesh.drawTransform.scale;
+    this.diameter = ofModel(this.drawnDiameter / mesh.drawTransform.scale);
   }
 
   /** Another pose is shown. Sizes stay those of the pose in the file. */
@@ -96,11 +97,11 @@ export class Places {
   }
 
   /** Linear over the triangle; Infinity as soon as one corner is out of reach; NaN where the mesh has no such place. */
-  valueAt(point: MeshPoint, { distance: values, byCorner, inner }: Values): number {
+  valueAt(point: MeshPoint, { distance: values, byCorner, inner }: Values): ModelLength {
     const within = inner && this.#inner(point);
     if (within) return interpolated(inner, within.corners, within.weights);
     const found = this.#corners(point);
-    if (!found) return Number.NaN;
+    if (!found) return ofModel(Number.NaN);
     if (byCorner && 'vertex' in point) return this.#leastAt(point.vertex, values);
     const { weights } = found;
     const first = 'face' in point ? 3 * point.face : 0;
@@ -114,13 +115,13 @@ export class Places {
   }
 
   /** The least value of the corners at a vertex, which walls part. */
-  #leastAt(vertex: number, values: Float32Array): number {
+  #leastAt(vertex: number, values: Float32Array): ModelLength {
     const { surface, inputVertices } = this.#mesh;
     let least = Infinity;
     surface.triangles.forEach((drawn, corner) => {
       if (inputVertices[drawn] === vertex) least = Math.min(least, entry(values, corner));
     });
-    return least;
+    return ofModel(least);
   }
 
   /** Of the corners of the point's triangle the nearest one in weights, as an index of the input. */
@@ -166,11 +167,12 @@ function indexOfMax(count: number, value: (index: number) => number): number {
 }
 
 /** A corner out of reach counts only where it has a weight. */
-function interpolated(values: Float32Array, corners: readonly number[], weights: readonly number[]): number {
-  return corners.reduce((sum, corner, i) => {
+function interpolated(values: Float32Array, corners: readonly number[], weights: readonly number[]): ModelLength {
+  const value = corners.reduce((sum, corner, i) => {
     const weight = entry(weights, i);
     return weight === 0 ? sum : sum + weight * entry(values, corner);
   }, 0);
+  return ofModel(value);
 }
 
 function blend(values: Float32Array, corners: readonly number[], weights: readonly number[]): Vector {

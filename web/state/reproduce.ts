@@ -3,6 +3,7 @@ import { Failure } from '../error';
 import type { DistanceField, InnerPoint, OpenedMesh, Source } from '../protocol';
 import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
 import { isPainted } from './ground';
+import type { LengthUnit } from '../length';
 import { triangleOfFile } from './parts';
 import type { SceneState } from './scene';
 import { allSources } from './sources';
@@ -24,6 +25,8 @@ export interface Measured {
   mesh: string;
   opened: Pick<OpenedMesh, 'simplified' | 'interior' | 'report' | 'active' | 'parts' | 'clips'>;
   field: Pick<DistanceField, 'exactBelow' | 'windows'>;
+  /** In which lengths are shown; the program has those of the file. */
+  unit: LengthUnit;
 }
 
 /**
@@ -80,13 +83,22 @@ function inFile<S extends { face: number }>(opened: Measured['opened'], source: 
   return { ...source, face: triangleOfFile(opened, source.face) };
 }
 
+/** The same after a comment that says how lengths of the file are shown, where that is in another unit. */
+export function commandLines(measured: Measured): string {
+  const { scale, symbol } = measured.unit;
+  const comment = scale === 1 ? [] : [`# Lengths are in the unit of the file, which is ${scale} ${symbol || 'units'}.`];
+  return [...comment, commandLine(measured)].join('\n');
+}
+
 /** The same from Python, by the program, as an array of NumPy. */
 export function pythonLines(measured: Measured): string {
+  const { scale, symbol } = measured.unit;
+  const factor = scale === 1 ? '' : `${scale} * `;
   return [
     'import subprocess',
     'import numpy',
     `subprocess.run(${pythonText(commandLine(measured))}, shell=True, check=True)`,
-    "distances = numpy.loadtxt('distances.csv', delimiter=',', skiprows=1)[:, 1]",
+    `distances = ${factor}numpy.loadtxt('distances.csv', delimiter=',', skiprows=1)[:, 1]${symbol && `  # ${symbol}`}`,
   ].join('\n');
 }
 

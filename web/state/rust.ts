@@ -12,7 +12,8 @@ const WIDTH = 120;
  * @throws Error where the crate cannot be asked for the same, with the reason.
  */
 export function rustLines(measured: Measured): string {
-  const { state, mesh, opened, field } = measured;
+  const { state, mesh, opened, field, unit } = measured;
+  const factor = unit.scale === 1 ? '' : `${float(unit.scale)} * `;
   const sources = reproducedSources(measured, 'program');
   const used = new Set(['DistanceOptions', 'DistanceSolver', 'InputVertex', 'Method', 'Surface', 'go_on']);
   const use = (...names: string[]) => names.forEach((name) => used.add(name));
@@ -28,12 +29,12 @@ export function rustLines(measured: Measured): string {
     'let distance = solver.distance(&sources, &options, &mut go_on)?.distance;',
     'for input in 0..model.soup.positions.len() as u32 {',
     `${INDENT}let vertex = solver.surface().vertex_of_input(InputVertex(input));`,
-    `${INDENT}println!("{input},{}", vertex.map_or(f64::INFINITY, |vertex| distance.values[vertex]));`,
+    `${INDENT}println!("{input},{}", ${factor}vertex.map_or(f64::INFINITY, |vertex| distance.values[vertex]));`,
     '}',
     'Ok(())',
   );
   return [
-    `//! Distances on ${mesh.replaceAll(/\s/g, ' ')}, as the page of Heatwalk shows them: a line of vertex,distance each.`,
+    `//! Distances on ${mesh.replaceAll(/\s/g, ' ')}, as the page of Heatwalk shows them: a line of vertex,distance each${unit.symbol && `, in ${unit.symbol}`}.`,
     '',
     ...imported([...used].toSorted(byRust)),
     shape ? 'use heatwalk_shapes::by_name;' : 'use heatwalk_model::io;',

@@ -12,6 +12,7 @@ import {
 import { type Ground, LEVEL } from './ground';
 import { type Inside, WHOLE } from './inside';
 import type { Compared } from './compared';
+import type { Units } from '../length';
 import type { Settings } from './settings';
 import type { SourceSet } from './sources';
 import type { Tape } from './tapes';
@@ -78,26 +79,12 @@ export const LIGHTS = ['style', 'file'] as const;
 /** Triangles that a mesh can be simplified to: from a shape that can be recognised to more than fit. */
 export const TRIANGLES = [100, 100_000_000] as const;
 
-/** Units of lengths, or none. */
-export const UNITS = ['mm', 'cm', 'm', 'km', 'in', 'ft', 'none'] as const;
-
-/** The unit of the file, or the one that its size suggests; or one of these. By itself it only labels lengths: `scale` converts them. */
-export type UnitChoice = (typeof UNITS)[number] | typeof AUTOMATIC;
-
-/** The unit of lengths: a symbol, or nothing; and whether only the size of the mesh suggests it. */
-export interface LengthUnit {
-  symbol: string;
-  assumed: boolean;
-  /** Length of the file's unit in it. */
-  scale: number;
-}
-
 export const LARGEST_CROWD = 10_000;
 
 /** Height of a walker of the crowd in bounding radii of the surface: seen from afar, and small enough for thousands. */
 export const CROWD_HEIGHT = 0.03;
 
-export interface SceneState extends Settings {
+export interface SceneState extends Settings, Units {
   mesh: MeshReference;
   /** Indices of the active parts; empty: all. */
   parts: readonly number[];
@@ -119,9 +106,6 @@ export interface SceneState extends Settings {
   links: number;
   /** The axis of the file that points up where it is drawn; automatic: by its format or its shape. */
   up: Up | typeof AUTOMATIC;
-  unit: UnitChoice;
-  /** Length of the file's unit in the unit of the page; 1 unless a known length says otherwise. */
-  scale: number;
   /** What is measured. */
   tapes: readonly Tape[];
   /** What it costs to walk where, and walls. */
@@ -161,6 +145,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     up: 'y',
     unit: AUTOMATIC,
     scale: 1,
+    shownUnit: null,
     tapes: [],
     ground: LEVEL,
     inside: WHOLE,
@@ -197,23 +182,6 @@ export function upOf({ up }: Pick<SceneState, 'up'>, upright: Up): Up {
 /** Whether paths may lead from one component to another, or across a crack between boundaries of one. */
 export function mayBeJoined({ report, interior }: OpenedMesh): boolean {
   return interior === null && (report.components > 1 || report.boundaryLoops > 0);
-}
-
-/** The unit in which lengths of a mesh are shown. */
-export function unitOf(
-  { unit, scale }: Pick<SceneState, 'unit' | 'scale'>,
-  opened: Pick<OpenedMesh, 'unit' | 'unitAssumed'>,
-): LengthUnit {
-  if (unit === AUTOMATIC) return { symbol: opened.unit, assumed: opened.unitAssumed, scale };
-  return { symbol: unit === 'none' ? '' : unit, assumed: false, scale };
-}
-
-/** Whether lengths are shown in the same unit. */
-export function isSameUnit(
-  one: Pick<SceneState, 'unit' | 'scale'>,
-  other: Pick<SceneState, 'unit' | 'scale'>,
-): boolean {
-  return one.unit === other.unit && one.scale === other.scale;
 }
 
 /** The inactive parts that are shown. */

@@ -8,6 +8,11 @@ export function minus(a: Vector, b: Vector): Vector {
   return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 }
 
+/** A vector `factor` times as long. */
+export function scaled([x, y, z]: Vector, factor: number): Vector {
+  return [factor * x, factor * y, factor * z];
+}
+
 /** The point that is `times` a step from another one. */
 export function moved(from: Vector, step: Vector, times: number): Vector {
   return [from[0] + times * step[0], from[1] + times * step[1], from[2] + times * step[2]];

@@ -18,6 +18,9 @@ export class Phrase {
 
 export type Words = string | Phrase;
 
+/** A number that is no length of a model: those are told in a unit, by `web/length.ts`. */
+export type Plain = number & { readonly ofModel?: never };
+
 /** Texts of the page, and sentences of workers. Without any, all is English. */
 let spoken: { language: string; texts: Texts; reports: Texts } = { language: 'en', texts: {}, reports: {} };
 
@@ -26,7 +29,7 @@ export function speak(language: string, texts: Texts = {}, reports: Texts = {}):
 }
 
 /** A text in the language of the page: a string, or a template, whose values stay as they are. */
-export function t(text: string | TemplateStringsArray, ...values: readonly (Words | number)[]): Phrase {
+export function t(text: string | TemplateStringsArray, ...values: readonly (Words | Plain)[]): Phrase {
   const key = typeof text === 'string' ? text : text.reduce((before, part, index) => `${before}{${index - 1}}${part}`);
   return new Phrase(() => filled(spoken.texts[key] ?? key, values));
 }
@@ -47,7 +50,7 @@ function formatOf<F>(make: (language: string) => F): () => F {
 }
 
 /** Writes numbers as the language does. */
-export function numbers(options: Intl.NumberFormatOptions): (value: number) => Phrase {
+export function numbers(options: Intl.NumberFormatOptions): (value: Plain) => Phrase {
   const format = formatOf((language) => new Intl.NumberFormat(language, options));
   return (value) => new Phrase(() => format().format(value));
 }
@@ -58,7 +61,7 @@ export const count = numbers({ maximumFractionDigits: 0 });
 const plurals = formatOf((language) => new Intl.PluralRules(language));
 
 /** A text about a number, which is `{0}` in it; `more` are the values after it. */
-export function counted(value: number, one: string, other: string, ...more: readonly (Words | number)[]): Phrase {
+export function counted(value: Plain, one: string, other: string, ...more: readonly (Words | Plain)[]): Phrase {
   const values = [count(value), ...more];
   const [single, several] = [t(one, ...values), t(other, ...values)];
   return new Phrase(() => String(plurals().select(value) === 'one' ? single : several));

@@ -1,10 +1,11 @@
-/** `window.heatwalk`: the page's scripting API, read-only. Described in docs/scripting.md. */
+/** `window.heatwalk`: the page's scripting API, read-only, with lengths in the unit of the model. Described in docs/scripting.md. */
 import type { Clip, DistanceField, FaceField, Moment, PathKind, MeshPoint } from '../protocol';
 import { exactDistanceAt } from '../session/distances';
 import type { Session } from '../session/session';
 import type { TapeFigures } from '../session/tapes';
 import type { Engine } from '../solver/engine';
 import type { Phase } from '../solver/refiner';
+import { unitOf } from '../length';
 import { PRESETS } from '../state/presets';
 import type { SceneState } from '../state/scene';
 import { until } from '../state/signal';
@@ -36,6 +37,10 @@ export interface Heatwalk {
     parts: readonly string[];
     active: readonly number[];
     diameter: number;
+    /** The symbol of the unit in which the page shows lengths; empty where there is none. */
+    unit: string;
+    /** The length of the model's unit, which all lengths here are in, in that one. */
+    scale: number;
     /** The axis of the file that is drawn upward. */
     up: Up;
     /** How many it has inside; 0 for a surface. */
@@ -108,6 +113,7 @@ export function expose(
     get mesh() {
       if (!session.shown.value) return null;
       const { opened, places } = session.shown.value;
+      const { symbol: unit, scale } = unitOf(session.scene.state, opened);
       return {
         name: opened.name,
         triangles: opened.report.faces,
@@ -117,6 +123,8 @@ export function expose(
         parts: opened.parts.map(({ name }) => name),
         active: [...opened.active],
         diameter: places.diameter,
+        unit,
+        scale,
         up: opened.drawTransform.up,
         tetrahedra: opened.interior?.report.tetrahedra ?? 0,
         volume: opened.interior?.report.volume ?? 0,

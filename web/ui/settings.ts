@@ -10,7 +10,7 @@ import {
   TIME_STEP_FACTORS,
 } from '../wasm/contract';
 import { type AutomaticControl, automaticSlider } from './dom';
-import { length } from './words';
+import { threeDigits } from '../state/measures';
 import { t, type Words } from '../texts';
 
 export const METHODS: Record<Method, Words> = {
@@ -46,7 +46,7 @@ export function timeFactor(change: (timeStep: Parameters['timeStep'], gesture: o
     min: Math.log10(least),
     max: Math.log10(most),
     step: 0.05,
-    describe: (value) => length(inTwoDigits(value)),
+    describe: (value) => threeDigits(inTwoDigits(value)),
     change: (value, gesture) => change(value === AUTOMATIC ? value : inTwoDigits(value), gesture),
   });
   return {

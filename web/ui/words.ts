@@ -2,7 +2,9 @@
 import type { BuildReport, DistanceField, Factoring, FieldError, OpenedMesh } from '../protocol';
 import { MOST_SECONDS, type Phase } from '../solver/refiner';
 import { entry } from '../state/entry';
-import type { LengthUnit, SceneState } from '../state/scene';
+import type { LengthUnit } from '../length';
+import { measure } from '../state/measures';
+import type { SceneState } from '../state/scene';
 import { partsOfFaces } from '../state/parts';
 import type { SourceSet } from '../state/sources';
 import { count, counted, enumerated, listed, numbers, retold, sentences, some, t, type Words } from '../texts';
@@ -23,38 +25,7 @@ const whole = decimals(0);
 export const tenths = decimals(1);
 export const hundredths = decimals(2);
 export const thousandths = decimals(3);
-const twoDigits = numbers({ maximumSignificantDigits: 2, useGrouping: false });
 const oneDigit = numbers({ maximumSignificantDigits: 1 });
-
-export const length = numbers({ maximumSignificantDigits: 3, useGrouping: false });
-
-/** A length in the unit of the mesh. */
-export function measure(value: number, unit: LengthUnit): Words {
-  return t`${length(value * unit.scale)} ${unitWords(unit)}`;
-}
-
-/** A unit, and that it is assumed where it is. */
-export function unitWords({ symbol, assumed }: LengthUnit): Words {
-  const name = symbol || t('units');
-  return assumed ? t`${name} (assumed)` : name;
-}
-
-/** What a column or an axis is called, with its unit where there is one. */
-export function withUnit(name: Words, symbol: string): Words {
-  return symbol ? t`${name} (${symbol})` : name;
-}
-
-/** A volume in the unit of the mesh, cubed. */
-export function volume(value: number, { symbol, scale, ...unit }: LengthUnit): Words {
-  const cubed = symbol ? unitWords({ symbol: `${symbol}³`, scale, ...unit }) : t('cubic units');
-  return t`${length(value * scale ** 3)} ${cubed}`;
-}
-
-/** An area in the unit of the mesh, squared. */
-export function area(value: number, { symbol, scale, ...unit }: LengthUnit): Words {
-  const squared = symbol ? unitWords({ symbol: `${symbol}²`, scale, ...unit }) : t('square units');
-  return t`${length(value * scale ** 2)} ${squared}`;
-}
 
 export function percent(share: number): Words {
   return t`${whole(100 * share)} %`;
@@ -122,22 +93,22 @@ export function openingSentence(opened: OpenedMesh, factoring: Factoring, unit: 
     const shape = t`${name}: ${tetrahedraWords(interior.report)}; ${componentsWords(components)}.`;
     return sentences(shape, remark ? t`${retold(remark)}.` : null);
   }
-  const done = repairs(report);
+  const done = repairs(report, unit);
   const loops = counted(report.boundaryLoops, '{0} boundary', '{0} boundaries');
   const shape = listed(...joints(report, factoring), loops);
   const proxy = simplifiedSentence(opened, unit);
   const content = done.length > 0 && !proxy ? listed(...done) : trianglesWords(report.faces);
-  return sentences(t`${name}: ${content}; ${shape}.`, ...joinedSentences(factoring), proxy);
+  return sentences(t`${name}: ${content}; ${shape}.`, ...joinedSentences(factoring, unit), proxy);
 }
 
 /** What may be joined otherwise than the surface is meant. */
-function joinedSentences({ crackPortals, crackGap, contactsComplete }: Factoring): (Words | null)[] {
+function joinedSentences({ crackPortals, crackGap, contactsComplete }: Factoring, unit: LengthUnit): (Words | null)[] {
   return [
     some(
       crackPortals,
-      'Paths cross gaps between boundaries, up to {1} units wide, at {0} place.',
-      'Paths cross gaps between boundaries, up to {1} units wide, at {0} places.',
-      length(crackGap),
+      'Paths cross gaps between boundaries, up to {1} wide, at {0} place.',
+      'Paths cross gaps between boundaries, up to {1} wide, at {0} places.',
+      measure(crackGap, unit),
     ),
     contactsComplete
       ? null
@@ -233,25 +204,25 @@ function groupWords(groups: number): Words {
 }
 
 /** How many links there are between groups and how far they reach; null without any. */
-export function linksSentence({ groups, links, linkedGap }: Factoring): Words | null {
+export function linksSentence({ groups, links, linkedGap }: Factoring, unit: LengthUnit): Words | null {
   return some(
     links,
-    '{0} link over a gap of {1} units; {2}.',
-    '{0} links over gaps of up to {1} units; {2}.',
-    length(linkedGap),
+    '{0} link over a gap of {1}; {2}.',
+    '{0} links over gaps of up to {1}; {2}.',
+    measure(linkedGap, unit),
     groupWords(groups),
   );
 }
 
-function repairs(report: BuildReport): Words[] {
+function repairs(report: BuildReport, unit: LengthUnit): Words[] {
   const { crackVertices, weldedVertices, crackWidth } = report;
   return [
     some(weldedVertices - crackVertices, 'welded {0} seam vertex', 'welded {0} seam vertices'),
     some(
       crackVertices,
-      'welded {0} crack vertex within {1} units',
-      'welded {0} crack vertices within {1} units',
-      twoDigits(crackWidth),
+      'welded {0} crack vertex within {1}',
+      'welded {0} crack vertices within {1}',
+      measure(crackWidth, unit),
     ),
     some(report.unreferencedVertices, 'removed {0} unreferenced vertex', 'removed {0} unreferenced vertices'),
     some(report.degenerateFaces, 'removed {0} degenerate triangle', 'removed {0} degenerate triangles'),
@@ -272,7 +243,7 @@ export function exactnessWords(field: DistanceField): Words {
 }
 
 /** How a field was found, and how far it is exact, in a sentence. */
-export function fieldSentence(field: DistanceField): Words {
+export function fieldSentence(field: DistanceField, unit: LengthUnit): Words {
   const { exactBelow, exactShare, windows, error, inner, timeFactor } = field;
   if (inner && timeFactor === undefined) {
     return exactBelow === Infinity
@@ -280,17 +251,17 @@ export function fieldSentence(field: DistanceField): Words {
       : t`By waves. Straight lines lead from ${percentDown(exactShare)} of the vertices to a source: these are exact.`;
   }
   if (exactBelow === Infinity) return sentences(t('Exact.'), error && errorSentence(error, windows));
-  const figures = [length(exactBelow), percentDown(exactShare)] as const;
+  const figures = [measure(exactBelow, unit), percentDown(exactShare)] as const;
   if (windows === undefined) {
     return exactShare >= LEAST_EXACT
-      ? t('By the heat method: exact below {0} units ({1} of vertices).', ...figures)
+      ? t('By the heat method: exact below {0} ({1} of vertices).', ...figures)
       : t('By the heat method.');
   }
   return exactShare >= LEAST_EXACT
     ? counted(
         windows,
-        'By propagation with {0} window: exact below {1} units ({2} of vertices), an upper bound beyond.',
-        'By propagation with {0} windows: exact below {1} units ({2} of vertices), an upper bound beyond.',
+        'By propagation with {0} window: exact below {1} ({2} of vertices), an upper bound beyond.',
+        'By propagation with {0} windows: exact below {1} ({2} of vertices), an upper bound beyond.',
         ...figures,
       )
     : counted(windows, 'By propagation with {0} window.', 'By propagation with {0} windows.');
@@ -335,8 +306,13 @@ export function setName({ shape, points }: SourceSet, opened?: OpenedMesh): Word
 }
 
 /** What is shown, and the state of refinement or the reason why it ended. */
-export function refiningSentence(phase: Phase, field: DistanceField, { method, pathKind }: Wish): Words {
-  const soFar = fieldSentence(field);
+export function refiningSentence(
+  phase: Phase,
+  field: DistanceField,
+  { method, pathKind }: Wish,
+  unit: LengthUnit,
+): Words {
+  const soFar = fieldSentence(field, unit);
   switch (phase) {
     case 'memory':
       return sentences(

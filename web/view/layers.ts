@@ -3,7 +3,7 @@ import type { Appearance, DistanceField, InnerView } from '../protocol';
 import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
 
 /** What is painted: values of drawn vertices and where they grow, as in a `DistanceField`. */
-export type ShownField = Pick<DistanceField, 'distance' | 'tangents' | 'maxDistance' | 'byCorner'>;
+export type ShownField = Pick<DistanceField, 'distance' | 'tangents' | 'byCorner'> & { maxDistance: number };
 
 /** Segments, #E × 2 × 3, their CSS colour, and their width in CSS pixels, a thin line's when left out. */
 export interface Edges {

@@ -328,14 +328,14 @@ const OPERATIONS: [(&str, Prepare); 18] = [
         let (field, levels) = curves(soup)?;
         let isolines = Isolines::trace(&field, &levels);
         let view = write::View::from_direction(&field, DVec3::new(1.0, 2.0, 3.0), DVec3::Y).context("a view")?;
-        does(move || anyhow::Ok(write::svg(&isolines, &field, &view)))
+        does(move || anyhow::Ok(write::svg(&isolines, &field, &view, None)))
     }),
     ("other files", |soup| {
         let (field, levels) = curves(soup)?;
         let isolines = Isolines::trace(&field, &levels);
         does(move || {
-            let files = [write::obj, write::dxf, write::csv, write::glb].map(|file| file(&isolines));
-            anyhow::Ok((files, write::strips_obj(&Strips::cut(&field, &levels)?)))
+            let files = [write::obj, write::dxf, write::csv].map(|file| file(&isolines, None));
+            anyhow::Ok((files, write::glb(&isolines), write::strips_obj(&Strips::cut(&field, &levels)?, None)))
         })
     }),
     ("unrolled", |soup| {
@@ -343,7 +343,7 @@ const OPERATIONS: [(&str, Prepare); 18] = [
         does(move || {
             let strips = Strips::cut(&field, &levels)?;
             // Those of curved surfaces are refused.
-            anyhow::Ok(Sheet::unroll(&strips).ok().map(|sheet| write::sheet_dxf(&sheet, &strips)))
+            anyhow::Ok(Sheet::unroll(&strips).ok().map(|sheet| write::sheet_dxf(&sheet, &strips, None)))
         })
     }),
 ];

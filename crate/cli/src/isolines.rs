@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Result, bail};
 use glam::DVec3;
-use heatwalk::go_on;
+use heatwalk::{Unit, go_on};
 use heatwalk_curves::{Field, Isolines, Levels, Sheet, Strips, write};
 use serde_json::json;
 
@@ -41,7 +41,7 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     let isolines = Isolines::trace(&field, &levels);
     let isolines_ms = milliseconds(start);
     if let Some(output) = output {
-        output.save(&bytes(output.format, &isolines, &field, &levels, arguments)?)?;
+        output.save(&bytes(output.format, &isolines, &field, &levels, input.unit.unit, arguments)?)?;
     }
 
     let values = prepared.solver.of_inputs(&answer);
@@ -79,6 +79,7 @@ fn bytes(
     isolines: &Isolines,
     field: &Field,
     levels: &Levels,
+    unit: Option<Unit>,
     arguments: &args::Isolines,
 ) -> Result<Vec<u8>> {
     let unrolled = || -> Result<_> {
@@ -86,17 +87,17 @@ fn bytes(
         Ok((Sheet::unroll(&strips)?, strips))
     };
     Ok(match format {
-        CurveFormat::Obj => write::obj(isolines),
-        CurveFormat::Dxf => write::dxf(isolines),
-        CurveFormat::Csv => write::csv(isolines),
+        CurveFormat::Obj => write::obj(isolines, unit),
+        CurveFormat::Dxf => write::dxf(isolines, unit),
+        CurveFormat::Csv => write::csv(isolines, unit),
         CurveFormat::Glb => write::glb(isolines),
         CurveFormat::Svg => match write::View::from_direction(field, arguments.view, DVec3::Y) {
-            Some(view) => write::svg(isolines, field, &view),
+            Some(view) => write::svg(isolines, field, &view, unit),
             None => bail!("there is nothing to see from {}", arguments.view),
         },
-        CurveFormat::StripsObj => write::strips_obj(&Strips::cut(field, levels)?),
-        CurveFormat::UnrolledSvg => unrolled().map(|(sheet, strips)| write::sheet_svg(&sheet, &strips))?,
-        CurveFormat::UnrolledDxf => unrolled().map(|(sheet, strips)| write::sheet_dxf(&sheet, &strips))?,
+        CurveFormat::StripsObj => write::strips_obj(&Strips::cut(field, levels)?, unit),
+        CurveFormat::UnrolledSvg => unrolled().map(|(sheet, strips)| write::sheet_svg(&sheet, &strips, unit))?,
+        CurveFormat::UnrolledDxf => unrolled().map(|(sheet, strips)| write::sheet_dxf(&sheet, &strips, unit))?,
     })
 }
 

@@ -1,7 +1,7 @@
 //! The interface to JavaScript.
 
 use glam::DVec3;
-use heatwalk::{Soup, Up};
+use heatwalk::{Soup, Unit, Up};
 use heatwalk_bindings::{Failure, Message, Result, resources, transform};
 use heatwalk_model::{Model, io};
 use js_sys::Function;
@@ -93,25 +93,26 @@ impl Curves {
     }
 
     /// A file of the curves: "obj", "dxf", "csv" or "glb"; "strips.obj", of the surface cut along them; "unrolled.svg" or
-    /// "unrolled.dxf", of its strips in the plane.
+    /// "unrolled.dxf", of its strips in the plane. `unit`: the symbol of that of all lengths; empty where there is none.
     ///
     /// # Errors
     /// Where a strip is curved, or for another kind of file.
-    pub fn file(&self, kind: &str) -> Result<Vec<u8>> {
+    pub fn file(&self, kind: &str, unit: &str) -> Result<Vec<u8>> {
+        let unit = unit_of(unit);
         let strips = || Strips::cut(&self.field, &self.levels);
         Ok(match kind {
-            "obj" => write::obj(&self.isolines),
-            "dxf" => write::dxf(&self.isolines),
-            "csv" => write::csv(&self.isolines),
+            "obj" => write::obj(&self.isolines, unit),
+            "dxf" => write::dxf(&self.isolines, unit),
+            "csv" => write::csv(&self.isolines, unit),
             "glb" => write::glb(&self.isolines),
-            "strips.obj" => write::strips_obj(&strips()?),
+            "strips.obj" => write::strips_obj(&strips()?, unit),
             "unrolled.svg" | "unrolled.dxf" => {
                 let strips = strips()?;
                 let sheet = Sheet::unroll(&strips)?;
                 if kind == "unrolled.svg" {
-                    write::sheet_svg(&sheet, &strips)
+                    write::sheet_svg(&sheet, &strips, unit)
                 } else {
-                    write::sheet_dxf(&sheet, &strips)
+                    write::sheet_dxf(&sheet, &strips, unit)
                 }
             }
             _ => return Err(Failure::misuse("there is no such file of curves")),
@@ -122,7 +123,12 @@ impl Curves {
     ///
     /// # Errors
     /// For no direction, or an axis that there is not.
-    pub fn svg(&self, toward_eye: &[f64], #[wasm_bindgen(unchecked_param_type = "Up")] up: &str) -> Result<Vec<u8>> {
+    pub fn svg(
+        &self,
+        toward_eye: &[f64],
+        #[wasm_bindgen(unchecked_param_type = "Up")] up: &str,
+        unit: &str,
+    ) -> Result<Vec<u8>> {
         let up: Up = up.parse()?;
         let toward_eye = toward_eye.try_into().map(DVec3::from_array);
         let toward_eye = toward_eye.map_err(|_| Failure::misuse("a direction is three numbers"))?;
@@ -130,20 +136,27 @@ impl Curves {
         let in_file = |drawn: DVec3| DVec3::from_array(DVec3::AXES.map(|axis| up.turned(axis).dot(drawn)));
         let view = write::View::from_direction(&self.field, in_file(toward_eye), in_file(DVec3::Y));
         let view = view.ok_or_else(|| Failure::misuse("a direction has a length"))?;
-        Ok(write::svg(&self.isolines, &self.field, &view))
+        Ok(write::svg(&self.isolines, &self.field, &view, unit_of(unit)))
     }
 }
 
 /// A file of distances, one a vertex: "csv", "npy", "ply" or "glb", or "weights.ply" with vertex colors. `positions` are `#V × 3`,
-/// `triangles` `#F × 3`.
+/// `triangles` `#F × 3`. All lengths are multiplied by `scale`, and then in the unit of this symbol, which may be empty.
 ///
 /// # Errors
 /// For another kind of file.
 #[wasm_bindgen]
-pub fn distance_file(kind: &str, positions: &[f64], triangles: &[u32], distances: &[f64]) -> Result<Vec<u8>> {
+pub fn distance_file(
+    kind: &str,
+    positions: &[f64],
+    triangles: &[u32],
+    distances: &[f64],
+    scale: f64,
+    unit: &str,
+) -> Result<Vec<u8>> {
     let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
     let soup = Soup::single("surface", positions, triangles.as_chunks().0.to_vec());
-    distances_in(kind, &soup.into(), distances)
+    distances_in(kind, soup.into(), distances, scale, unit)
 }
 
 /// The same of some parts of a mesh file, with its materials where the kind of file has these. `resource` gives the bytes of files
@@ -159,22 +172,33 @@ pub fn distance_file_of(
     #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
     parts: &[u32],
     distances: &[f64],
+    scale: f64,
+    unit: &str,
 ) -> Result<Vec<u8>> {
     let file = io::read(name, bytes, &resources(resource))?;
     let parts: Vec<usize> = parts.iter().map(|&part| part as usize).collect();
-    distances_in(kind, &file.chosen(&parts)?, distances)
+    distances_in(kind, file.chosen(&parts)?, distances, scale, unit)
 }
 
-fn distances_in(kind: &str, model: &Model, distances: &[f64]) -> Result<Vec<u8>> {
+/// The unit of a symbol; none of the empty one.
+fn unit_of(symbol: &str) -> Option<Unit> {
+    Unit::ALL.into_iter().find(|unit| unit.symbol() == symbol)
+}
+
+fn distances_in(kind: &str, mut model: Model, distances: &[f64], scale: f64, unit: &str) -> Result<Vec<u8>> {
     if model.soup.positions.len() != distances.len() {
         return Err(Failure::misuse("there is not one distance for each vertex of the file"));
     }
+    let unit = unit_of(unit);
+    let distances: Vec<f64> = distances.iter().map(|distance| scale * distance).collect();
+    let distances = distances.as_slice();
+    model.soup.positions.iter_mut().for_each(|position| *position *= scale);
     Ok(match kind {
-        "csv" => io::write::distance_csv(&[("distance", distances)]),
+        "csv" => io::write::distance_csv(&[(&write::column("distance", unit), distances)]),
         "npy" => io::write::distance_npy(distances),
-        "ply" => io::write::distance_ply(&model.soup, distances),
-        "weights.ply" => io::write::weights_ply(&model.soup, distances),
-        "glb" => io::write::distance_glb(model, distances),
+        "ply" => write::with_ply_comment(io::write::distance_ply(&model.soup, distances), unit),
+        "weights.ply" => write::with_ply_comment(io::write::weights_ply(&model.soup, distances), unit),
+        "glb" => io::write::distance_glb(&model, distances),
         _ => return Err(Failure::misuse("there is no such file of distances")),
     })
 }

@@ -7,7 +7,7 @@ use glam::DVec3;
 use heatwalk_curves::write::View;
 use heatwalk_curves::{Error, Field, Isolines, Levels, Sheet, Strips, write};
 use heatwalk_shapes as shapes;
-use heatwalk_surface::{Soup, Surface};
+use heatwalk_surface::{Soup, Surface, Unit};
 
 /// A welded shape with a value at each vertex.
 fn field(soup: &Soup, distance: impl Fn(DVec3) -> f64) -> Field {
@@ -245,7 +245,7 @@ fn what_is_behind_the_surface_is_not_in_a_picture() {
     let isolines = trace(&field, &[1.1]);
     let seen = |toward_eye: DVec3| {
         let view = View::from_direction(&field, toward_eye, DVec3::Y).unwrap();
-        drawn_length(&write::svg(&isolines, &field, &view))
+        drawn_length(&write::svg(&isolines, &field, &view, None))
     };
     // Of the square behind the left half is seen, of the other one all; the picture is 2.12 wide, with its margins.
     let whole = 2.0 * 1000.0 / 2.12;
@@ -256,4 +256,38 @@ fn what_is_behind_the_surface_is_not_in_a_picture() {
     let aside = 3.0 / 2.0_f64.sqrt() * 1000.0 / (3.0 / 2.0_f64.sqrt() + 0.06 * (3.0 / 2.0_f64.sqrt()));
     let oblique = seen(DVec3::new(-1.0, 0.0, 1.0));
     assert!((oblique - aside).abs() < 0.5, "{oblique} of {aside}");
+}
+
+#[test]
+fn files_say_the_unit_of_their_lengths() {
+    let field = one_behind_the_other();
+    let isolines = trace(&field, &[1.1]);
+    let strips = Strips::cut(&field, &Levels::at(&[1.1]).unwrap()).unwrap();
+    let sheet = Sheet::unroll(&strips).unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+
+    let inches = Some(Unit::Inch);
+    assert!(text(write::csv(&isolines, inches)).starts_with("curve,value (in),closed,x (in),y (in),z (in)\n"));
+    assert!(text(write::csv(&isolines, None)).starts_with("curve,value,closed,x,y,z\n"));
+    for write in [write::obj(&isolines, inches), write::strips_obj(&strips, inches)] {
+        assert!(text(write).contains("\n# lengths in in\n"));
+    }
+    assert!(!text(write::obj(&isolines, None)).contains("lengths"));
+    for file in [write::dxf(&isolines, inches), write::sheet_dxf(&sheet, &strips, inches)] {
+        assert!(text(file).contains("  9\n$INSUNITS\n 70\n1\n"));
+    }
+    assert!(!text(write::dxf(&isolines, None)).contains("$INSUNITS"));
+
+    // The picture is 2.12 wide, with its margins; in pixels where nothing says how long that is.
+    let view = View::from_direction(&field, DVec3::Z, DVec3::Y).unwrap();
+    let width = |svg: Vec<u8>| text(svg).split("width=\"").nth(1).unwrap().split('"').next().unwrap().to_owned();
+    let millimeters = |svg: Vec<u8>| width(svg).strip_suffix("mm").unwrap().parse::<f64>().unwrap();
+    assert!((millimeters(write::svg(&isolines, &field, &view, inches)) - 2.12 * 25.4).abs() < 1e-9);
+    assert!((millimeters(write::svg(&isolines, &field, &view, Some(Unit::Meter))) - 2120.0).abs() < 1e-9);
+    assert!((width(write::svg(&isolines, &field, &view, None)).parse::<f64>().unwrap() - 1000.0).abs() < 1e-9);
+    assert!((millimeters(write::sheet_svg(&sheet, &strips, inches)) - sheet.size.x * 25.4).abs() < 1e-9);
+
+    let ply = |unit| write::with_ply_comment(b"ply\nformat ascii 1.0\nelement vertex 0\n\n\n".to_vec(), unit);
+    assert_eq!(text(ply(inches)), "ply\nformat ascii 1.0\ncomment lengths in in\nelement vertex 0\n\n\n");
+    assert_eq!(text(ply(None)), "ply\nformat ascii 1.0\nelement vertex 0\n\n\n");
 }

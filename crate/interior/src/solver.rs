@@ -7,7 +7,7 @@ use heatwalk::{EdgeKind, FaceField, MemoryLimit};
 use heatwalk_bindings::{DrawPath, Failure, Field, Result, logarithms, parameters, reporter};
 use heatwalk_volume::crowd::VolumePose;
 use heatwalk_volume::io::write;
-use heatwalk_volume::{TetMesh, VolumeCrowd, VolumeDistance, VolumeMethod, VolumeOptions, VolumeSolver};
+use heatwalk_volume::{TetMesh, TetSoup, VolumeCrowd, VolumeDistance, VolumeMethod, VolumeOptions, VolumeSolver};
 use js_sys::{Array, Function, Object};
 use wasm_bindgen::prelude::*;
 
@@ -180,14 +180,18 @@ impl InnerSolver {
         InnerView::new(&self.mesh, &self.drawn, self.distance.as_ref(), wanted)
     }
 
-    /// A file of the tetrahedra with the last field, one value a vertex of the input: "csv", "vtu" or "msh".
-    pub fn file(&self, kind: &str) -> Result<Vec<u8>> {
-        let distances = self.mesh.to_inputs(&self.solved()?.values, f64::INFINITY);
-        let soup = self.drawn.soup();
+    /// A file of the tetrahedra with the last field, one value a vertex of the input: "csv", "vtu" or "msh". All lengths are
+    /// multiplied by `scale`, and then in the unit of this symbol, which may be empty.
+    pub fn file(&self, kind: &str, scale: f64, unit: &str) -> Result<Vec<u8>> {
+        let mut distances = self.mesh.to_inputs(&self.solved()?.values, f64::INFINITY);
+        distances.iter_mut().for_each(|distance| *distance *= scale);
+        let mut soup = TetSoup::clone(self.drawn.soup());
+        soup.positions.iter_mut().for_each(|position| *position *= scale);
+        let unit = (!unit.is_empty()).then_some(unit);
         match kind {
-            "csv" => Ok(write::csv(&distances)),
-            "vtu" => Ok(write::vtu(soup, Some(&distances))),
-            "msh" => Ok(write::msh(soup, Some(&distances))),
+            "csv" => Ok(write::csv(&distances, unit)),
+            "vtu" => Ok(write::vtu(&soup, Some(&distances))),
+            "msh" => Ok(write::msh(&soup, Some(&distances))),
             _ => Err(Failure::misuse("tetrahedra are written as csv, vtu or msh")),
         }
     }

@@ -1,5 +1,6 @@
 /** Isolines and files of distances, by a module that is loaded with the first of them. */
-import type { CurveFile, DistanceFile, Isolines, IsolineWish } from '../../protocol';
+import type { CurveFile, DistanceFile, IsolineRow, Isolines, IsolineWish } from '../../protocol';
+import { type LengthUnit, MODEL, typed } from '../../length';
 import { fileName } from '../../files/paths';
 import type * as curves from '../../wasm/curves/heatwalk_curves';
 import curvesAddress from '../../wasm/curves/heatwalk_curves_bg.wasm?url';
@@ -17,31 +18,51 @@ const loaded = moduleOnDemand(() => import('../../wasm/curves/heatwalk_curves.js
 /** The isolines that were traced last. */
 let traced: curves.Curves | undefined;
 
-/** Traces isolines of the last field on the surface as it is shown. */
-async function trace(solver: wasm.Solver, { values, spacing }: IsolineWish): Promise<curves.Curves> {
+/** Traces isolines of the last field on the surface as it is shown, all in a unit. */
+async function trace(solver: wasm.Solver, { values, spacing }: IsolineWish, unit: LengthUnit): Promise<curves.Curves> {
   const { Curves } = await loaded();
   traced?.free();
   traced = undefined;
-  traced = new Curves(solver.positions(), solver.faces(), solver.distances(), Float64Array.from(values), spacing);
+  const levels = Float64Array.from(values, (value) => typed(value, unit));
+  traced = new Curves(
+    scaled(solver.positions(), unit),
+    solver.faces(),
+    scaled(solver.distances(), unit),
+    levels,
+    typed(spacing, unit),
+  );
   return traced;
 }
 
+/** Lengths in another unit. */
+function scaled(lengths: Float64Array, { scale }: LengthUnit): Float64Array {
+  return scale === 1 ? lengths : lengths.map((length) => scale * length);
+}
+
 export async function isolines(solver: wasm.Solver, wish: IsolineWish, { transform }: ShownAs): Promise<Isolines> {
-  const found = await trace(solver, wish);
-  return { rows: found.rows(), ends: found.ends(transform) };
+  const found = await trace(solver, wish, MODEL);
+  return { rows: found.rows() as IsolineRow[], ends: found.ends(transform) };
 }
 
 export async function curveFile(
   solver: wasm.Solver,
   wish: IsolineWish,
-  { kind, towardEye }: CurveFile,
+  { kind, towardEye, unit }: CurveFile,
   { transform }: ShownAs,
 ): Promise<Bytes> {
-  const found = await trace(solver, wish);
-  return (kind === 'svg' ? found.svg(Float64Array.from(towardEye), transform.up) : found.file(kind)) as Bytes;
+  const found = await trace(solver, wish, unit);
+  const { symbol } = unit;
+  return (
+    kind === 'svg' ? found.svg(Float64Array.from(towardEye), transform.up, symbol) : found.file(kind, symbol)
+  ) as Bytes;
 }
 
-export async function distanceFile(solver: wasm.Solver, kind: DistanceFile, { from }: ShownAs): Promise<Bytes> {
+export async function distanceFile(
+  solver: wasm.Solver,
+  kind: DistanceFile,
+  { scale, symbol }: LengthUnit,
+  { from }: ShownAs,
+): Promise<Bytes> {
   const module = await loaded();
   const vertices = solver.vertices_of_inputs();
   const values = solver.distances();
@@ -55,10 +76,11 @@ export async function distanceFile(solver: wasm.Solver, kind: DistanceFile, { fr
     return withFiles(
       mesh,
       files,
-      (resource) => module.distance_file_of(kind, fileName(mesh), bytes, resource, from.parts, distances) as Bytes,
+      (resource) =>
+        module.distance_file_of(kind, fileName(mesh), bytes, resource, from.parts, distances, scale, symbol) as Bytes,
     );
   }
-  return module.distance_file(kind, ...ofInputs(solver, vertices), distances) as Bytes;
+  return module.distance_file(kind, ...ofInputs(solver, vertices), distances, scale, symbol) as Bytes;
 }
 
 /** Positions of the vertices of the input, 0 of those that no triangle uses, and triangles. */

@@ -1,5 +1,5 @@
 /** Meshes of tetrahedra, by a module that is loaded with the first of them. */
-import type { DrawTransform, Interior } from '../../protocol';
+import type { DrawTransform, InnerReport, Interior } from '../../protocol';
 import type * as interior from '../../wasm/interior/heatwalk_interior';
 import interiorAddress from '../../wasm/interior/heatwalk_interior_bg.wasm?url';
 import * as wasm from '../../wasm/solver/heatwalk_worker.js';
@@ -87,7 +87,7 @@ export function interiorOf({ tetrahedra, madeMs }: Tetrahedra, drawn: DrawTransf
   return {
     positions: tetrahedra.places(drawn),
     tetrahedra: tetrahedra.corners(),
-    report: tetrahedra.report(),
+    report: tetrahedra.report() as InnerReport,
     madeMs,
   };
 }

@@ -1,6 +1,7 @@
 /** Simplified models in the place of meshes that do not fit, by meshoptimizer, which is loaded where one is wanted. */
 import type { SimplifierFlags } from 'meshoptimizer/simplifier';
 import type { Simplified } from '../../protocol';
+import { ofModel } from '../../length';
 import type { MeshFile } from '../../wasm/solver/heatwalk_worker.js';
 import { through } from './through';
 
@@ -39,7 +40,11 @@ export async function simplify(
       error *= simplifier.getScale(positions, 3);
     }
     const scale = outline.scale();
-    const simplified = { triangles: whole.length / 3, error: error * scale, diagonal: diagonalOf(positions) * scale };
+    const simplified = {
+      triangles: whole.length / 3,
+      error: ofModel(error * scale),
+      diagonal: ofModel(diagonalOf(positions) * scale),
+    };
     return { file: file.simplified(outline, name, kept), simplified };
   } finally {
     outline.free();

@@ -80,7 +80,10 @@ export const HELP: Texts = {
   'Cancel, close, back out': 'Annuler, fermer, revenir',
   Esc: 'Échap',
   'This help': 'Cette aide',
-  'The unit of lengths. None is converted.': 'L’unité des longueurs. Aucune n’est convertie.',
+  'What the lengths in the file are. The numbers stay, and the size of the model changes.':
+    'Ce que sont les longueurs du fichier. Les nombres restent, et la taille du modèle change.',
+  'The unit of all lengths on the page and in saved files. The size of the model stays.':
+    'L’unité de toutes les longueurs sur la page et dans les fichiers enregistrés. La taille du modèle reste.',
   'Which of the animations of the file is shown.': 'L’animation du fichier qui est montrée.',
   'The moment at which the model stands, or begins to play.': 'Le moment où le modèle est arrêté, ou commence.',
   'Times as fast as the file says.': 'Combien de fois plus vite que le fichier.',

@@ -81,10 +81,10 @@ export const PAGE: Texts = {
   Ratio: 'Rapport',
   'Known length of tape {0}': 'Longueur connue du ruban {0}',
   'Unit of the known length': 'Unité de la longueur connue',
-  'Tells all lengths in the scale in which this tape has that length':
-    'Donne toutes les longueurs à l’échelle où ce ruban a cette longueur',
+  'Corrects the size of the model, so that this tape has that length':
+    'Corrige la taille du modèle, pour que ce ruban ait cette longueur',
   'Set scale': 'Fixer l’échelle',
-  'Tells lengths as the file has them': 'Donne les longueurs telles que dans le fichier',
+  'Takes lengths as the file has them': 'Prend les longueurs telles que dans le fichier',
   Reset: 'Réinitialiser',
   'Known length': 'Longueur connue',
   'measuring…': 'mesure en cours…',
@@ -284,8 +284,8 @@ export const PAGE: Texts = {
   'Simplify to {0} triangles': 'Simplifier à {0} triangles',
   'There is no scene yet. Open a mesh first.': 'Il n’y a pas encore de scène. Ouvrez d’abord un maillage.',
   '{0} The solver was restarted; the scene is unchanged.': '{0} Le solveur a été relancé ; la scène est inchangée.',
-  'Refinement needed more memory than the browser gives; distances were exact below {0} units.':
-    'Le raffinement demandait plus de mémoire que le navigateur n’en donne ; les distances étaient exactes en deçà de {0} unités.',
+  'Refinement needed more memory than the browser gives; distances were exact below {0}.':
+    'Le raffinement demandait plus de mémoire que le navigateur n’en donne ; les distances étaient exactes en deçà de {0}.',
   'This surface is closed: it has no boundary that could be a source.':
     'Cette surface est fermée : elle n’a pas de bord qui puisse être une source.',
   'There is no mesh yet.': 'Il n’y a pas encore de maillage.',
@@ -373,10 +373,10 @@ export const PAGE: Texts = {
   '{0}.': '{0}.',
   '{0} boundary': '{0} bord',
   '{0} boundaries': '{0} bords',
-  'Paths cross gaps between boundaries, up to {1} units wide, at {0} place.':
-    'Les chemins franchissent des écarts entre bords, larges de {1} unités au plus, à {0} endroit.',
-  'Paths cross gaps between boundaries, up to {1} units wide, at {0} places.':
-    'Les chemins franchissent des écarts entre bords, larges de {1} unités au plus, à {0} endroits.',
+  'Paths cross gaps between boundaries, up to {1} wide, at {0} place.':
+    'Les chemins franchissent des écarts entre bords, larges de {1} au plus, à {0} endroit.',
+  'Paths cross gaps between boundaries, up to {1} wide, at {0} places.':
+    'Les chemins franchissent des écarts entre bords, larges de {1} au plus, à {0} endroits.',
   'This is a simplified model of {0}; it differs by about {1}, {2} of the diagonal.':
     'Ceci est un modèle simplifié de {0} ; l’écart est d’environ {1}, soit {2} de la diagonale.',
   '{0} point or line left out': '{0} point ou ligne omis',
@@ -402,12 +402,12 @@ export const PAGE: Texts = {
   '{0} link': '{0} lien',
   '{0} links': '{0} liens',
   '{0} groups': '{0} groupes',
-  '{0} link over a gap of {1} units; {2}.': '{0} lien par-dessus un écart de {1} unités ; {2}.',
-  '{0} links over gaps of up to {1} units; {2}.': '{0} liens par-dessus des écarts allant jusqu’à {1} unités ; {2}.',
+  '{0} link over a gap of {1}; {2}.': '{0} lien par-dessus un écart de {1} ; {2}.',
+  '{0} links over gaps of up to {1}; {2}.': '{0} liens par-dessus des écarts allant jusqu’à {1} ; {2}.',
   'welded {0} seam vertex': '{0} sommet de couture soudé',
   'welded {0} seam vertices': '{0} sommets de couture soudés',
-  'welded {0} crack vertex within {1} units': '{0} sommet de fissure soudé à moins de {1} unités',
-  'welded {0} crack vertices within {1} units': '{0} sommets de fissure soudés à moins de {1} unités',
+  'welded {0} crack vertex within {1}': '{0} sommet de fissure soudé à moins de {1}',
+  'welded {0} crack vertices within {1}': '{0} sommets de fissure soudés à moins de {1}',
   'removed {0} unreferenced vertex': '{0} sommet inutilisé supprimé',
   'removed {0} unreferenced vertices': '{0} sommets inutilisés supprimés',
   'removed {0} degenerate triangle': '{0} triangle dégénéré supprimé',
@@ -422,13 +422,13 @@ export const PAGE: Texts = {
   'propagation, {0} exact': 'propagation, {0} exact',
   'By waves. Straight lines lead from {0} of the vertices to a source: these are exact.':
     'Par ondes. Des lignes droites mènent de {0} des sommets à une source : ceux-ci sont exacts.',
-  'By the heat method: exact below {0} units ({1} of vertices).':
-    'Par la méthode de la chaleur : exact en deçà de {0} unités ({1} des sommets).',
+  'By the heat method: exact below {0} ({1} of vertices).':
+    'Par la méthode de la chaleur : exact en deçà de {0} ({1} des sommets).',
   'By the heat method.': 'Par la méthode de la chaleur.',
-  'By propagation with {0} window: exact below {1} units ({2} of vertices), an upper bound beyond.':
-    'Par propagation avec {0} fenêtre : exact en deçà de {1} unités ({2} des sommets), une borne supérieure au-delà.',
-  'By propagation with {0} windows: exact below {1} units ({2} of vertices), an upper bound beyond.':
-    'Par propagation avec {0} fenêtres : exact en deçà de {1} unités ({2} des sommets), une borne supérieure au-delà.',
+  'By propagation with {0} window: exact below {1} ({2} of vertices), an upper bound beyond.':
+    'Par propagation avec {0} fenêtre : exact en deçà de {1} ({2} des sommets), une borne supérieure au-delà.',
+  'By propagation with {0} windows: exact below {1} ({2} of vertices), an upper bound beyond.':
+    'Par propagation avec {0} fenêtres : exact en deçà de {1} ({2} des sommets), une borne supérieure au-delà.',
   'By propagation with {0} window.': 'Par propagation avec {0} fenêtre.',
   'By propagation with {0} windows.': 'Par propagation avec {0} fenêtres.',
   'Error of the heat method: {0}.': 'Erreur de la méthode de la chaleur : {0}.',

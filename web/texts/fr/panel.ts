@@ -151,18 +151,20 @@ export const PANEL: Texts = {
   Closed: 'Fermées',
   Distances: 'Distances',
   'Save distances': 'Enregistrer les distances',
-  'One for each vertex of the file, in its unit': 'Une par sommet du fichier, dans son unité',
+  'One for each vertex of the file, in the unit that is shown; GLB files are in meters':
+    'Une par sommet du fichier, dans l’unité affichée ; les fichiers GLB sont en mètres',
   Path: 'Chemin',
   'There is no path. Alt + click the surface to place a walker.':
     'Il n’y a pas de chemin. Alt + clic sur la surface place un marcheur.',
   'Save path': 'Enregistrer le chemin',
-  'The points of the path, in the unit of the file': 'Les points du chemin, dans l’unité du fichier',
+  'The points of the path, in the unit that is shown; GLB files are in meters':
+    'Les points du chemin, dans l’unité affichée ; les fichiers GLB sont en mètres',
   Tracks: 'Trajets',
   'Save tracks': 'Enregistrer les trajets',
   'There is no crowd. Choose how many walk in the section Display.':
     'Il n’y a pas de foule. Choisissez combien marchent dans la section Affichage.',
-  'The ways of the crowd to the sources, from where each walker is, in the unit of the file':
-    'Les trajets de la foule vers les sources, depuis là où est chaque marcheur, dans l’unité du fichier',
+  'The ways of the crowd to the sources, from where each walker is, in the unit that is shown; GLB files are in meters':
+    'Les trajets de la foule vers les sources, depuis là où est chaque marcheur, dans l’unité affichée ; les fichiers GLB sont en mètres',
   'Reproduce by': 'Reproduire par',
   'Lines that reproduce the distances': 'Lignes qui reproduisent les distances',
   'Copied.': 'Copié.',
@@ -289,7 +291,18 @@ export const PANEL: Texts = {
   Hide: 'Masquer',
   'Active parts, {0} of {1}': 'Pièces actives, {0} sur {1}',
   Presets: 'Préréglages',
-  Unit: 'Unité',
+  'Correct unit': 'Corriger l’unité',
+  'Says what the lengths in the file are: numbers stay, and the size of the model changes':
+    'Dit ce que sont les longueurs du fichier : les nombres restent, et la taille du modèle change',
+  'Convert to': 'Convertir en',
+  'The size of the model stays, and all numbers change; files are saved in this unit too':
+    'La taille du modèle reste, et tous les nombres changent ; les fichiers sont aussi enregistrés dans cette unité',
+  'Say first what the lengths in the file are': 'Dites d’abord ce que sont les longueurs du fichier',
+  'unit of the file': 'unité du fichier',
+  '{0} (not converted)': '{0} (non converties)',
+  'not converted': 'non converties',
+  '{0} from corner to corner.': '{0} de coin à coin.',
+  'A unit of the file is {0}.': 'Une unité du fichier vaut {0}.',
   'automatic (none)': 'automatique (aucune)',
   'Open a file (O): {0}': 'Ouvrir un fichier (O) : {0}',
   'Open a file…': 'Ouvrir un fichier…',
@@ -315,8 +328,8 @@ export const PANEL: Texts = {
     'Ces sources sont trop nombreuses pour un lien, qui omet celles tracées et listées. Enregistrez-les dans un fichier : qui le dépose sur la page les retrouve.',
   List: 'Liste',
   'Vertex, or x y z': 'Sommet, ou x y z',
-  'A vertex of the file, counted from 0, or coordinates in its unit; a list can be pasted':
-    'Un sommet du fichier, compté à partir de 0, ou des coordonnées dans son unité ; une liste peut être collée',
+  'A vertex of the file, counted from 0, or coordinates in the unit that is shown; a list can be pasted':
+    'Un sommet du fichier, compté à partir de 0, ou des coordonnées dans l’unité affichée ; une liste peut être collée',
   'Source to add: a vertex, or x y z': 'Source à ajouter : un sommet, ou x y z',
   Add: 'Ajouter',
   'All sources as a CSV file, which can be dropped on the page':
@@ -397,9 +410,8 @@ export const PANEL: Texts = {
   'Select; arrows move it, Delete removes it': 'Choisir ; les flèches la déplacent, Suppr l’enlève',
   'Delete this source (Delete)': 'Supprimer cette source (Suppr)',
   'Delete source {0}': 'Supprimer la source {0}',
-  'Initial distance: the distance at this source, in units of the file':
-    'Distance initiale : la distance à cette source, dans l’unité du fichier',
-  'Initial distance of source {0}, in units': 'Distance initiale de la source {0}, en unités',
+  'Initial distance: the distance at this source': 'Distance initiale : la distance à cette source',
+  'Initial distance of source {0}, in {1}': 'Distance initiale de la source {0}, en {1}',
   'Vertex {0}': 'Sommet {0}',
   'Triangle {0}': 'Triangle {0}',
   'Tetrahedron {0}': 'Tétraèdre {0}',
@@ -435,7 +447,8 @@ export const PANEL: Texts = {
   '{0} ×': '{0} ×',
   'Stop the animation': 'Arrêter l’animation',
   'Play the animation': 'Lire l’animation',
-  'The path is {0} long and costs {1}.': 'Le chemin mesure {0} et coûte {1}.',
+  'The path is {0} long and costs as much as {1} of bare ground.':
+    'Le chemin mesure {0} et coûte autant que {1} de terrain nu.',
   'Costs of the file ({0})': 'Coûts du fichier ({0})',
   '{0} hole of the surface was closed.': '{0} trou de la surface a été bouché.',
   '{0} holes of the surface were closed.': '{0} trous de la surface ont été bouchés.',
@@ -446,8 +459,6 @@ export const PANEL: Texts = {
   'Show {0}': 'Montrer {0}',
   'Hide {0}': 'Cacher {0}',
   '{0} — {1}': '{0} — {1}',
-  'The unit of the lengths in the file; none is converted. A tape of known length sets another scale':
-    'L’unité des longueurs du fichier ; aucune n’est convertie. Un ruban de longueur connue fixe une autre échelle',
   '{0} (of the file)': '{0} (du fichier)',
   '≈ {0} edges': '≈ {0} arêtes',
   initial: 'initiale',

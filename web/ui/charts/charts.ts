@@ -8,11 +8,12 @@ import type { MeasuredTape } from '../../session/tapes';
 import { isSameField, type Question } from '../../solver/engine';
 import type { Places } from '../../state/places';
 import { distributionOf, errorsByDistance } from '../../state/distribution';
-import { type LengthUnit, unitOf } from '../../state/scene';
+import { type LengthUnit, type ModelLength, ofModel, told, unitOf } from '../../length';
 import { legsOf } from '../../state/tapes';
 import { h } from '../dom';
 import { arcsOf, pointsOf, positionsOf } from '../measure/curves';
-import { percent, withUnit } from '../words';
+import { withUnit } from '../../state/measures';
+import { percent } from '../words';
 import { type CutSurface, straightCut } from './cut';
 import { convergenceStudy } from './convergence';
 import { figure } from './figure';
@@ -134,7 +135,7 @@ interface Fetched {
   walk: Float64Array | null;
   lines: readonly Line[];
   /** Exact distances along the lines, as far as they are known. */
-  distances: ReadonlyMap<MeshPoint, number>;
+  distances: ReadonlyMap<MeshPoint, ModelLength>;
 }
 
 /** What can be drawn, and sentences for what cannot. */
@@ -145,13 +146,12 @@ function chartsOf(
 ): { charts: Chart[]; notes: Words[] } {
   const { field, question } = answer;
   if (!field) return { charts: [], notes: [t('Set a source to see how distance is distributed.')] };
-  const { scale, symbol } = unit;
-  const inUnit = (name: Words) => withUnit(name, symbol);
+  const inUnit = (name: Words) => withUnit(name, unit.symbol);
   const xLabel = inUnit(t('Distance'));
   const positions = question.moment ? places.positions : opened.surface.positions;
   const { triangles } = opened.surface;
   const { edges, below, unreached } = distributionOf({ ...field, positions, triangles }, BINS);
-  const bounds = edges.map((edge) => edge * scale);
+  const bounds = edges.map((edge) => told(ofModel(edge), unit));
   const shares = below.map((share) => 100 * share);
   const bars = shares.slice(1).map((share, index) => share - entry(shares, index));
   const area = t('Area (%)');
@@ -170,19 +170,19 @@ function chartsOf(
     const column = (of: number) =>
       Array.from(
         walk.filter((_, i) => i % 2 === of),
-        (value) => scale * value,
+        (value) => told(ofModel(value), unit),
       );
     const series = [{ name: xLabel, kind: 'line' as const, x: column(0), y: column(1) }];
     charts.push({ title: t('Distance along the path'), xLabel: inUnit(t('Along the path')), yLabel: xLabel, series });
   }
   for (const { title, length, x, points } of lines) {
-    const y = points.map((point) => scale * (distances.get(point) ?? places.valueAt(point, field)));
+    const y = points.map((point) => told(distances.get(point) ?? places.valueAt(point, field), unit));
     if (!y.every(Number.isFinite)) continue;
     charts.push({ title, xLabel: inUnit(length), yLabel: xLabel, series: [{ name: xLabel, kind: 'line', x, y }] });
   }
   if (errors && !field.byCorner) {
     const { distance, mean, most } = errorsByDistance(errors, field.distance, BINS);
-    const x = distance.map((value) => value * scale);
+    const x = distance.map((value) => told(ofModel(value), unit));
     const series = [
       { name: t('Maximum'), kind: 'line' as const, x, y: inPercent(most) },
       { name: t('Mean'), kind: 'line' as const, x, y: inPercent(mean) },
@@ -201,12 +201,12 @@ function linesOf(
   { opened, places }: Shown,
   tapes: readonly MeasuredTape[],
   neighbors: Uint32Array | null,
-  { scale }: LengthUnit,
+  unit: LengthUnit,
 ): Line[] {
   const mesh = neighbors && { surface: opened.surface, neighbors };
-  const stretch = scale / opened.drawTransform.scale;
+  const stretch = told(ofModel(1 / opened.drawTransform.scale), unit);
   return tapes.flatMap((tape, index) => {
-    const along = profileOf(tape, places, scale);
+    const along = profileOf(tape, places, unit);
     const cut = mesh && cutOf(tape, mesh, places, stretch);
     return [
       ...(along ? [{ title: t`Distance along tape ${index + 1}`, length: t('Along the tape'), ...along }] : []),
@@ -216,14 +216,14 @@ function linesOf(
 }
 
 /** Exact distances of the places of lines that lie in faces; none where these are not known. */
-async function distancesOf(session: Session, lines: readonly Line[]): Promise<Map<MeshPoint, number>> {
+async function distancesOf(session: Session, lines: readonly Line[]): Promise<Map<MeshPoint, ModelLength>> {
   const points = lines.flatMap((line) => line.points);
   const distances = points.length > 0 ? await exactDistances(session, points) : null;
   return new Map(distances ? points.map((point, index) => [point, entry(distances, index)]) : []);
 }
 
 /** Places over the length along a tape; null while its paths are not known, and inside of tetrahedra. */
-function profileOf({ legs }: MeasuredTape, places: Places, scale: number): Profile | null {
+function profileOf({ legs }: MeasuredTape, places: Places, unit: LengthUnit): Profile | null {
   if (legs.length === 0) return null;
   const [x, points]: [number[], MeshPoint[]] = [[], []];
   let before = 0;
@@ -232,7 +232,7 @@ function profileOf({ legs }: MeasuredTape, places: Places, scale: number): Profi
     const passed = pointsOf(leg);
     const arcs = arcsOf(positionsOf(passed, places));
     const stretch = leg.length / (arcs[arcs.length - 1] || 1);
-    x.push(...arcs.map((arc) => scale * (before + stretch * arc)));
+    x.push(...arcs.map((arc) => told(ofModel(before + stretch * arc), unit)));
     points.push(...passed);
     before += leg.length;
   }

@@ -4,9 +4,10 @@ import type { Session } from '../../session/session';
 import { measureConvergence } from '../../solver/convergence';
 import { type Level, levelsOf, markdownOf, MOST_TRIANGLES, slopeOf, studied } from '../../state/convergence';
 import { allSources } from '../../state/sources';
-import { type LengthUnit, unitOf } from '../../state/scene';
+import { isSameUnit, type LengthUnit, MODEL, ofModel, told, unitOf } from '../../length';
 import { h, say } from '../dom';
-import { tenths, withUnit } from '../words';
+import { withUnit } from '../../state/measures';
+import { fileNameOf, tenths } from '../words';
 import { figure } from './figure';
 import { markdownButton, measuring } from './measuring';
 import type { Chart, Series } from './plot';
@@ -22,14 +23,18 @@ export function convergenceStudy(session: Session): HTMLElement {
   /** Whose levels they are. */
   let measured: OpenedMesh | null = null;
   const charts = h('div', { class: 'stack' });
+  const unitNow = () => (measured ? unitOf(session.scene.state, measured) : MODEL);
+  const draw = () => {
+    const file = fileNameOf(session.shown.value);
+    charts.replaceChildren(...chartsOf(levels, unitNow()).map((chart) => figure(chart, file)));
+  };
 
   const measure = async (signal: AbortSignal) => {
     const { scene, shown } = session;
     const sources = allSources(scene.state);
     if (!shown.value || sources.length === 0) return t('Set a source first.');
     const { opened } = shown.value;
-    const { name, surface, drawTransform } = opened;
-    const unit = unitOf(scene.state, opened);
+    const { surface, drawTransform } = opened;
     const steps = levelsOf(surface.triangles.length / 3);
     [levels.length, measured, progress.max, saving.hidden] = [0, opened, steps, true];
     charts.replaceChildren();
@@ -43,9 +48,8 @@ export function convergenceStudy(session: Session): HTMLElement {
       },
       (level) => {
         // Drawn, the surface has another size.
-        levels.push({ ...level, edge: (unit.scale / drawTransform.scale) * level.edge });
-        const file = name.replace(/\.\w+$/, '');
-        charts.replaceChildren(...chartsOf(levels, unit).map((chart) => figure(chart, file)));
+        levels.push({ ...level, edge: ofModel(level.edge / drawTransform.scale) });
+        draw();
       },
     );
     return t('Done. A slope of 1: half the edge, half the error.');
@@ -60,7 +64,11 @@ export function convergenceStudy(session: Session): HTMLElement {
   const saving = h(
     'div',
     { class: 'saving', hidden: true },
-    markdownButton(() => markdownOf(levels), said, t('The clipboard is not available. Save the charts as CSV.')),
+    markdownButton(
+      () => markdownOf(levels, unitNow()),
+      said,
+      t('The clipboard is not available. Save the charts as CSV.'),
+    ),
   );
   const most = h('p', { class: 'quiet' }, t`At most ${count(MOST_TRIANGLES / 4)} triangles can be split.`);
   const element = h(
@@ -93,12 +101,15 @@ export function convergenceStudy(session: Session): HTMLElement {
     say(said, '');
   };
   session.shown.watch(follow);
+  session.scene.subscribe((state, previous) => {
+    if (!isSameUnit(state, previous) && levels.length > 0) draw();
+  });
   follow();
   return element;
 }
 
-function chartsOf(levels: readonly Level[], { symbol }: LengthUnit): Chart[] {
-  const xLabel = withUnit(t('Mean edge'), symbol);
+function chartsOf(levels: readonly Level[], unit: LengthUnit): Chart[] {
+  const xLabel = withUnit(t('Mean edge'), unit.symbol);
   return (['heat', 'propagation'] as const).flatMap((method) => {
     // Small surfaces may lie within the exact region, and no logarithm is that of an error of 0.
     const inexact = levels.filter((level) => level[method].mean > 0);
@@ -106,7 +117,7 @@ function chartsOf(levels: readonly Level[], { symbol }: LengthUnit): Chart[] {
     const line = (name: Words, errorOf: (level: Level) => number): Series => {
       const slope = slopeOf(inexact, errorOf);
       const title = slope === null ? name : t`${name}, slope ${tenths(Math.round(10 * slope) / 10 || 0)}`;
-      const [x, y] = [inexact.map(({ edge }) => edge), inexact.map((level) => 100 * errorOf(level))];
+      const [x, y] = [inexact.map(({ edge }) => told(edge, unit)), inexact.map((level) => 100 * errorOf(level))];
       return { name: title, kind: 'points', x, y };
     };
     const series = [line(t('Maximum'), (level) => level[method].max), line(t('Mean'), (level) => level[method].mean)];

@@ -4,12 +4,13 @@ import type { Comparison } from '../../session/comparison';
 import type { Session } from '../../session/session';
 import { type Compared, differing, MIDDLE, settingsOf, STUDIED, type Studied } from '../../state/compared';
 import { isMethodOf } from '../../state/inside';
-import { isSameUnit, type LengthUnit, unitOf } from '../../state/scene';
+import { isSameUnit, type LengthUnit, unitOf } from '../../length';
 import type { Settings } from '../../state/settings';
 import { BOUNDARY, LINEAR_SOLVER, METHOD, OPERATOR, type Parameters, WINDOWS } from '../../wasm/contract';
 import { h, labelled, say, select, toggle } from '../dom';
 import { BOUNDARIES, METHODS, OPERATORS, SOLVERS, timeFactor } from '../settings';
-import { finePercent, length, measure, milliseconds } from '../words';
+import { measure, threeDigits } from '../../state/measures';
+import { finePercent, milliseconds } from '../words';
 import { difference } from './difference';
 import { settingsWords } from './words';
 import { count, listed, t, type Words } from '../../texts';
@@ -185,6 +186,6 @@ function pathWords(path: DrawPath | null, kind: PathKind, unit: LengthUnit): Wor
 }
 
 function differenceRow(name: Words, share: number | undefined): HTMLElement {
-  const words = share === undefined ? '–' : share === 0 ? length(0) : finePercent(share);
+  const words = share === undefined ? '–' : share === 0 ? threeDigits(0) : finePercent(share);
   return h('tr', {}, h('th', { scope: 'row' }, name), h('td', { colspan: 2 }, words));
 }

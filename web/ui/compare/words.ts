@@ -2,13 +2,13 @@
 import type { SettingKey, Settings } from '../../state/settings';
 import { AUTOMATIC } from '../../wasm/contract';
 import { BOUNDARIES, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS } from '../settings';
-import { length } from '../words';
+import { threeDigits } from '../../state/measures';
 import { counted, listed, t, type Words } from '../../texts';
 
 const WORDS: Record<SettingKey, (settings: Settings) => Words> = {
   method: ({ method }) => METHODS[method],
   windows: ({ windows }) => counted(windows, '{0} window', '{0} windows'),
-  t: ({ parameters: { timeStep } }) => (timeStep === AUTOMATIC ? t('m automatic') : t`m = ${length(timeStep)}`),
+  t: ({ parameters: { timeStep } }) => (timeStep === AUTOMATIC ? t('m automatic') : t`m = ${threeDigits(timeStep)}`),
   b: ({ parameters }) => BOUNDARIES[parameters.boundary],
   multi: ({ parameters }) => t`Sources: ${MULTI_SOURCES[parameters.sources]}`,
   near: ({ parameters: { exactRadius } }) =>

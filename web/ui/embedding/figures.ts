@@ -3,7 +3,8 @@ import type { Distances, FieldFigures, MeshFigures, Path, State } from '../../em
 import type { DistanceField, DrawTransform } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
-import { type SceneState, unitOf } from '../../state/scene';
+import { unitOf } from '../../length';
+import type { SceneState } from '../../state/scene';
 import type { Heatwalk } from '../scripting';
 import { entry } from '../../state/entry';
 import { filePlace } from '../../session/nearest';
@@ -11,6 +12,7 @@ import { vectorsIn } from '../../state/vector';
 
 export function meshFigures({ opened, places }: Shown, state: SceneState): MeshFigures {
   const { name, report } = opened;
+  const { symbol: unit, scale } = unitOf(state, opened);
   return {
     name,
     triangles: report.faces,
@@ -18,7 +20,8 @@ export function meshFigures({ opened, places }: Shown, state: SceneState): MeshF
     inputVertices: report.inputVertices,
     components: report.components,
     diameter: places.diameter,
-    unit: unitOf(state, opened).symbol,
+    unit,
+    scale,
   };
 }
 

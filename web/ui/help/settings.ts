@@ -35,7 +35,14 @@ export const SECTIONS: Record<string, string> = {
 
 export const SETTINGS: Record<string, Record<string, Explanation>> = {
   scene: {
-    Unit: about(t('The unit of lengths. None is converted.'), 'method#units'),
+    'Correct unit': about(
+      t('What the lengths in the file are. The numbers stay, and the size of the model changes.'),
+      'page#units',
+    ),
+    'Convert to': about(
+      t('The unit of all lengths on the page and in saved files. The size of the model stays.'),
+      'page#units',
+    ),
   },
   animation: {
     Animation: about(t('Which of the animations of the file is shown.'), 'page#animations'),

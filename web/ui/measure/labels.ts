@@ -4,7 +4,7 @@ import { lengthOf, type MeasuredTape, stateOf, type Tapes } from '../../session/
 import { entry } from '../../state/entry';
 import type { Places } from '../../state/places';
 import { type Vector, distance } from '../../state/vector';
-import { type LengthUnit, unitOf } from '../../state/scene';
+import { isSameUnit, type LengthUnit, ofModel, unitOf } from '../../length';
 import { legsOf, moved, withoutPlace } from '../../state/tapes';
 import { h } from '../dom';
 import { arrowOf, draggable, hasModifier, keyGesture } from '../gesture';
@@ -52,7 +52,7 @@ export class TapeLabels {
     tapes.measured.watch(() => this.#show());
     session.pose.watch(() => this.#show());
     session.scene.subscribe((state, previous) => {
-      if (state.unit !== previous.unit || state.scale !== previous.scale) this.#show();
+      if (!isSameUnit(state, previous)) this.#show();
     });
   }
 
@@ -208,7 +208,7 @@ function labelsOf(measured: MeasuredTape, curves: readonly Vector[][], unit: Len
   const labels = legs.flatMap(({ leg, state }, index) => {
     const curve = entry(curves, index);
     const position = middleOf(curve.length > 1 ? curve : positionsOf(entry(legsOf(tape), index), places));
-    return position ? [label(lengthWords(leg?.length ?? NaN, state, unit), position, 'leg')] : [];
+    return position ? [label(lengthWords(leg?.length ?? ofModel(NaN), state, unit), position, 'leg')] : [];
   });
   const end = tape.points.at(tape.closed ? 0 : -1);
   const last = end && places.at(end);

@@ -1,12 +1,22 @@
 /** The table of tapes: lengths of their legs, areas, a known length that sets the scale, and all of it as CSV. */
 import type { Session } from '../../session/session';
 import { lengthOf, type MeasuredTape, stateOf, straightOf, type Tapes } from '../../session/tapes';
-import { type LengthUnit, type UnitChoice, unitOf, UNITS } from '../../state/scene';
+import {
+  isSameUnit,
+  type LengthUnit,
+  type ModelLength,
+  ofModel,
+  told,
+  type UnitChoice,
+  unitOf,
+  UNITS,
+} from '../../length';
 import { SCALES } from '../../state/tapes';
 import { save } from '../../view/picture';
 import { copy } from '../clipboard';
 import { h, say, select } from '../dom';
-import { fileNameOf, withUnit } from '../words';
+import { withUnit } from '../../state/measures';
+import { fileNameOf } from '../words';
 import { csvOf, enclosureWords, lengthNumber, lengthWords, ratioWords, STATE_WORDS } from './words';
 import { t, type Words } from '../../texts';
 
@@ -45,7 +55,7 @@ export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
   };
   tapes.measured.watch(show);
   scene.subscribe((state, previous) => {
-    if (state.unit !== previous.unit || state.scale !== previous.scale) show();
+    if (!isSameUnit(state, previous)) show();
   });
   return h('div', { class: 'stack' }, list, buttons, said);
 }
@@ -88,7 +98,7 @@ function card(session: Session, index: number): Card {
       const names = [t('Leg'), inUnit(isInside ? t('Path') : t('Surface')), inUnit(t('Straight')), t('Ratio')];
       titles.replaceChildren(...names.map((name) => h('th', { scope: 'col' }, name)));
       const rows = legs.map(({ leg, state, straight }, k) =>
-        row(String(k + 1), leg?.length ?? NaN, straight, state, unit),
+        row(String(k + 1), leg?.length ?? ofModel(NaN), straight, state, unit),
       );
       if (legs.length > 1) rows.push(row('Σ', sum, straightOf(measured), stateOf(measured), unit));
       body.replaceChildren(...rows);
@@ -101,8 +111,8 @@ function card(session: Session, index: number): Card {
 
 function row(
   name: string,
-  surface: number,
-  straight: number,
+  surface: ModelLength,
+  straight: ModelLength,
   state: keyof typeof STATE_WORDS,
   unit: LengthUnit,
 ): HTMLElement {
@@ -120,9 +130,9 @@ function row(
 function knownLength(
   session: Session,
   index: number,
-): { element: HTMLElement; show: (length: number, unit: LengthUnit) => void } {
+): { element: HTMLElement; show: (length: ModelLength, unit: LengthUnit) => void } {
   const { scene } = session;
-  let measured = NaN;
+  let measured = ofModel(NaN);
   let chosen: UnitChoice = 'm';
   const field = h('input', { type: 'number', min: 0, step: 'any', 'aria-label': t`Known length of tape ${index + 1}` });
   const unit = select(
@@ -134,10 +144,10 @@ function knownLength(
     'button',
     {
       class: 'small',
-      title: t('Tells all lengths in the scale in which this tape has that length'),
+      title: t('Corrects the size of the model, so that this tape has that length'),
       onclick: () => {
         const scale = field.valueAsNumber / measured;
-        if (scale >= SCALES[0] && scale <= SCALES[1]) scene.edit({ scale, unit: chosen });
+        if (scale >= SCALES[0] && scale <= SCALES[1]) scene.edit({ scale, unit: chosen, shownUnit: null });
       },
     },
     t('Set scale'),
@@ -146,7 +156,7 @@ function knownLength(
     'button',
     {
       class: 'small',
-      title: t('Tells lengths as the file has them'),
+      title: t('Takes lengths as the file has them'),
       onclick: () => scene.edit({ scale: 1, unit: 'auto' }),
     },
     t('Reset'),
@@ -165,9 +175,9 @@ function knownLength(
     show: (length, now) => {
       measured = length;
       element.hidden = !(length > 0);
-      reset.hidden = now.scale === 1;
+      reset.hidden = scene.state.scale === 1;
       if (field !== document.activeElement) {
-        field.value = length > 0 ? String(Number((length * now.scale).toPrecision(4))) : '';
+        field.value = length > 0 ? String(Number(told(length, now).toPrecision(4))) : '';
         chosen = UNITS.find((name) => name === now.symbol) ?? 'm';
         unit.show(chosen);
       }

@@ -2,9 +2,10 @@
 import type { MeshPoint } from '../../protocol';
 import { type LegState, lengthOf, type MeasuredTape, stateOf, straightOf } from '../../session/tapes';
 import { entry } from '../../state/entry';
-import type { LengthUnit } from '../../state/scene';
+import { type LengthUnit, type ModelLength, ofModel, told, toldArea } from '../../length';
 import { legsOf } from '../../state/tapes';
-import { area, length, thousandths } from '../words';
+import { area, threeDigits } from '../../state/measures';
+import { thousandths } from '../words';
 import { t, type Words } from '../../texts';
 
 export const STATE_WORDS: Record<LegState, Words> = {
@@ -20,28 +21,30 @@ export const STATE_WORDS: Record<LegState, Words> = {
 const DIGITS = 9;
 
 /** A length, with a sign where it is not exact. Without the unit, which a table has in its head. */
-export function lengthNumber(value: number, state: LegState, { scale }: LengthUnit): Words {
+export function lengthNumber(value: ModelLength, state: LegState, unit: LengthUnit): Words {
   if (!Number.isFinite(value)) return state === 'none' ? '–' : '…';
   const isApproximate = state === 'estimated' || state === 'approximate' || state === 'cost';
-  return isApproximate ? t`≈ ${length(value * scale)}` : length(value * scale);
+  const number = threeDigits(told(value, unit));
+  return isApproximate ? t`≈ ${number}` : number;
 }
 
 /** The same with the unit, where there is one. */
-export function lengthWords(value: number, state: LegState, unit: LengthUnit): Words {
+export function lengthWords(value: ModelLength, state: LegState, unit: LengthUnit): Words {
   if (!Number.isFinite(value)) return state === 'none' ? t('not connected') : '…';
   const number = lengthNumber(value, state, unit);
   return unit.symbol ? t`${number} ${unit.symbol}` : number;
 }
 
 /** The area within a closed tape on its label; null where there is none. */
-export function areaLabel({ enclosure }: MeasuredTape, { symbol, scale }: LengthUnit): Words | null {
+export function areaLabel({ enclosure }: MeasuredTape, unit: LengthUnit): Words | null {
   if (enclosure?.kind !== 'sides') return null;
-  const number = length(enclosure.area * scale ** 2);
+  const number = threeDigits(toldArea(enclosure.area, unit));
+  const { symbol } = unit;
   return symbol ? t`area ${number} ${symbol}²` : t`area ${number}`;
 }
 
 /** Straight length as a share of that on the surface. */
-export function ratioWords(straight: number, surface: number): Words {
+export function ratioWords(straight: ModelLength, surface: ModelLength): Words {
   return surface > 0 ? thousandths(straight / surface) : '–';
 }
 
@@ -70,30 +73,34 @@ export function placeName(point: MeshPoint): Words {
   return 'face' in point ? t`triangle ${point.face}: ${weights}` : t`tetrahedron ${point.tetrahedron}: ${weights}`;
 }
 
-/** A line a leg, then one with the sums and the area of each tape. Lengths in the unit of the page. */
-export function csvOf(tapes: readonly MeasuredTape[], { symbol, scale }: LengthUnit): string {
-  const number = (value: number, power = 1) =>
-    Number.isFinite(value) ? String(Number((value * scale ** power).toPrecision(DIGITS))) : '';
-  const ratio = (straight: number, surface: number) => number(straight / surface, 0);
+/** A line a leg, then one with the sums and the area of each tape. */
+export function csvOf(tapes: readonly MeasuredTape[], unit: LengthUnit): string {
+  const long = (value: ModelLength | undefined) => (value === undefined ? '' : cell(told(value, unit)));
+  const { symbol } = unit;
   const header = ['tape', 'leg', 'from', 'to', 'surface', 'straight', 'ratio', 'cost', 'area', 'accuracy', 'unit'];
   const rows = tapes.flatMap((measured, index) => {
     const ends = legsOf(measured.tape);
     const legs = measured.legs.map(({ leg, state, straight }, k) => {
-      const surface = leg?.length ?? NaN;
+      const surface = leg?.length ?? ofModel(NaN);
       const names = entry(ends, k).map(placeName);
-      const figures = [number(surface), number(straight), ratio(straight, surface), number(leg?.cost ?? NaN), ''];
+      const figures = [long(surface), long(straight), cell(straight / surface), long(leg?.cost), ''];
       return [index + 1, k + 1, ...names, ...figures, STATE_WORDS[state], symbol];
     });
     const [surface, straight] = [lengthOf(measured), straightOf(measured)];
-    const enclosed = measured.enclosure?.kind === 'sides' ? number(measured.enclosure.area, 2) : '';
-    const sums = [number(surface), number(straight), ratio(straight, surface), '', enclosed];
+    const enclosed = measured.enclosure?.kind === 'sides' ? cell(toldArea(measured.enclosure.area, unit)) : '';
+    const sums = [long(surface), long(straight), cell(straight / surface), '', enclosed];
     return [...legs, [index + 1, 'total', '', '', ...sums, STATE_WORDS[stateOf(measured)], symbol]];
   });
   return [header, ...rows].map((row) => row.map(quoted).join(',')).join('\r\n') + '\r\n';
 }
 
+/** A number of a table; nothing where it is none. */
+function cell(value: number): string {
+  return Number.isFinite(value) ? String(Number(value.toPrecision(DIGITS))) : '';
+}
+
 /** As RFC 4180 wants it. */
-function quoted(cell: Words | number): string {
-  const text = String(cell);
+function quoted(value: Words | number): string {
+  const text = String(value);
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }

@@ -1,8 +1,9 @@
 /** Tells screen readers what is shown once it has come to rest: how exact distances are, how far they reach, how long the path is. */
 import type { Session } from '../../session/session';
-import { unitOf } from '../../state/scene';
+import { isSameUnit, unitOf } from '../../length';
 import { h, say } from '../dom';
-import { measure, refiningSentence } from '../words';
+import { measure } from '../../state/measures';
+import { refiningSentence } from '../words';
 import { sentences, t, type Words } from '../../texts';
 
 /** A drag or a key that repeats comes back within. */
@@ -22,6 +23,9 @@ export function announcer(session: Session): HTMLElement {
   };
   session.shown.watch(wait);
   session.refiner.phase.watch(wait);
+  session.scene.subscribe((state, previous) => {
+    if (!isSameUnit(state, previous)) wait();
+  });
   return element;
 }
 
@@ -30,7 +34,7 @@ function announcement({ scene, shown, refiner }: Session): Words {
   if (!opened || !answer?.field) return '';
   const unit = unitOf(scene.state, opened);
   return sentences(
-    refiningSentence(refiner.phase.value, answer.field, scene.state),
+    refiningSentence(refiner.phase.value, answer.field, scene.state, unit),
     t`Maximum distance ${measure(answer.field.maxDistance, unit)}.`,
     answer.path ? t`Path ${measure(answer.path.length, unit)}.` : null,
   );

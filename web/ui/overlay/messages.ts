@@ -4,7 +4,7 @@ import { MOST_FETCHED } from '../../files/fetch';
 import { fileName } from '../../files/paths';
 import type { Action, Notifier } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
-import type { LengthUnit } from '../../state/scene';
+import type { LengthUnit } from '../../length';
 import { copy } from '../clipboard';
 import { h } from '../dom';
 import { absentSentence, openingSentence } from '../words';

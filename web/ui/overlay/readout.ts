@@ -1,9 +1,10 @@
 import type { MeshPoint } from '../../protocol';
 import { exactDistanceAt } from '../../session/distances';
 import type { Session } from '../../session/session';
-import { unitOf } from '../../state/scene';
+import { type ModelLength, unitOf } from '../../length';
 import { h, say } from '../dom';
-import { measure, percent } from '../words';
+import { measure } from '../../state/measures';
+import { percent } from '../words';
 import { t, type Words } from '../../texts';
 
 /** What is read, and where on the screen. */
@@ -75,7 +76,7 @@ export class Readout {
 }
 
 /** `exact`: the distance; null where it is taken from those of vertices. */
-function readoutText({ scene, shown }: Session, point: MeshPoint, exact: number | null): Words | null {
+function readoutText({ scene, shown }: Session, point: MeshPoint, exact: ModelLength | null): Words | null {
   if (!shown.value) return null;
   const { opened, places, answer } = shown.value;
   const vertex = t`vertex ${places.nearestVertex(point)}`;

@@ -1,7 +1,7 @@
 /** The section of charts: what draws them is loaded when it is first expanded. */
 import type { Session } from '../../session/session';
 import type { MeasuredTape } from '../../session/tapes';
-import { isSameUnit } from '../../state/scene';
+import { isSameUnit } from '../../length';
 import type { Signal } from '../../state/signal';
 import { h } from '../dom';
 import type { Charts } from '../charts/charts';

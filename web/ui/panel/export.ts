@@ -4,14 +4,15 @@ import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../
 import { isolineWish } from '../../session/isolines';
 import type { Engine } from '../../solver/engine';
 import type { Session } from '../../session/session';
-import { commandLine, type Measured, pythonLines } from '../../state/reproduce';
+import { commandLines, type Measured, pythonLines } from '../../state/reproduce';
 import { isolinesText, parseIsolines } from '../../state/isolines';
 import { rustLines } from '../../state/rust';
-import { unitOf } from '../../state/scene';
+import { isSameUnit, type LengthUnit, MODEL, told, toldArea, unitOf, unitOfFile } from '../../length';
 import { save } from '../../view/picture';
 import { copy } from '../clipboard';
 import { h, say, select } from '../dom';
-import { fileNameOf, length, unitWords } from '../words';
+import { threeDigits, unitWords, withUnit } from '../../state/measures';
+import { fileNameOf } from '../words';
 import { counted, listed, t, type Words } from '../../texts';
 
 const CURVES: readonly (readonly [CurveFile['kind'], Words])[] = [
@@ -46,7 +47,7 @@ const LINES = [
   ['python', 'Python'],
   ['rust', 'Rust'],
 ] as const;
-const TEXT_OF = { command: commandLine, python: pythonLines, rust: rustLines };
+const TEXT_OF = { command: commandLines, python: pythonLines, rust: rustLines };
 
 /** Isolines in numbers, and files of curves, distances and paths. */
 export function exportSection(session: Session): HTMLElement {
@@ -93,35 +94,45 @@ function measured(session: Session): Engine {
   return asked(session);
 }
 
+/** The unit in which lengths are shown. */
+function shownUnit({ scene, shown }: Session): LengthUnit {
+  return shown.value ? unitOf(scene.state, shown.value.opened) : MODEL;
+}
+
 function curveControls(session: Session, action: Action): HTMLElement[] {
   const at = h('input', { type: 'text', inputMode: 'decimal', placeholder: t('as the stripes'), id: 'isolines-at' });
+  const name = h('span');
   const table = h('div', { class: 'scroll' });
   /** What is typed in a row is one step of undo. */
   const typing = {};
   const wish = () => {
     // The typed text, not the scene, says what cannot be read.
-    parseIsolines(at.value);
+    parseIsolines(at.value, shownUnit(session));
     return isolineWish(session);
   };
   at.addEventListener('input', () => {
     try {
-      session.scene.edit({ isolines: parseIsolines(at.value) }, typing);
+      session.scene.edit({ isolines: parseIsolines(at.value, shownUnit(session)) }, typing);
     } catch {
       // It may be half typed.
     }
   });
   const show = () => {
-    if (document.activeElement !== at) at.value = isolinesText(session.scene.state.isolines);
+    if (document.activeElement !== at) at.value = isolinesText(session.scene.state.isolines, shownUnit(session));
+    say(name, withUnit(t('Isolines at'), shownUnit(session).symbol));
   };
   session.scene.subscribe((state, previous) => {
     if (state.isolines !== previous.isolines) show();
+    if (!isSameUnit(state, previous)) convert();
   });
+  const convert = () => {
+    table.replaceChildren();
+    show();
+  };
   show();
   const measure = async () => {
     const isolines = await measured(session).queries.isolines(wish());
-    const { scene, shown } = session;
-    const unit = shown.value ? unitOf(scene.state, shown.value.opened) : null;
-    table.replaceChildren(tableOf(isolines, unit?.symbol ? unitWords(unit) : null));
+    table.replaceChildren(tableOf(isolines, shownUnit(session)));
   };
   let kind: CurveFile['kind'] = 'obj';
   const file = select(t('File'), CURVES, (value) => (kind = value));
@@ -129,17 +140,19 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
     const bytes = await measured(session).queries.curveFile(wish(), {
       kind,
       towardEye: towardEye(session.view.camera),
+      unit: unitOfFile(kind, shownUnit(session)),
     });
     save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.isolines.${kind}`);
   };
   session.shown.watch((shown, previous) => {
     if (shown?.answer.field !== previous?.answer.field) table.replaceChildren();
+    if (shown?.opened !== previous?.opened) show();
   });
   return [
     h(
       'label',
       { class: 'field', title: t('A spacing, or values with commas between them; empty: the period of the stripes') },
-      h('span', {}, t('Isolines at')),
+      name,
       at,
     ),
     action(t('Measure isolines'), t('Length of each isoline, and the area that is nearer'), measure),
@@ -153,18 +166,23 @@ function cells(tag: 'th' | 'td', words: readonly Words[]): HTMLElement {
   return h('tr', {}, ...words.map((word) => h(tag, {}, word)));
 }
 
-function tableOf({ rows }: Isolines, unit: Words | null): HTMLElement {
+function tableOf({ rows }: Isolines, unit: LengthUnit): HTMLElement {
   const isolines = counted(rows.length, '{0} isoline', '{0} isolines');
   return h(
     'table',
     { class: 'rows' },
-    h('caption', { class: 'quiet' }, listed(isolines, unit)),
+    h('caption', { class: 'quiet' }, listed(isolines, unit.symbol ? unitWords(unit) : null)),
     h('thead', {}, cells('th', [t('Distance'), t('Length'), t('Area nearer'), t('Closed')])),
     h(
       'tbody',
       {},
-      ...rows.map(({ value, length: long, area, curves, closed }) =>
-        cells('td', [length(value), length(long), length(area), t`${closed} of ${curves}`]),
+      ...rows.map(({ value, length, area, curves, closed }) =>
+        cells('td', [
+          threeDigits(told(value, unit)),
+          threeDigits(told(length, unit)),
+          threeDigits(toldArea(area, unit)),
+          t`${closed} of ${curves}`,
+        ]),
       ),
     ),
   );
@@ -181,10 +199,13 @@ function distanceControls(session: Session, action: Action): HTMLElement[] {
   show();
   const work = async () => {
     const engine = asked(session);
-    const bytes = await (isInside() ? engine.queries.innerDistanceFile(innerKind) : engine.queries.distanceFile(kind));
+    const unit = shownUnit(session);
+    const bytes = await (isInside()
+      ? engine.queries.innerDistanceFile(innerKind, unit)
+      : engine.queries.distanceFile(kind, unitOfFile(kind, unit)));
     save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.distances.${isInside() ? innerKind : kind}`);
   };
-  const title = t('One for each vertex of the file, in its unit');
+  const title = t('One for each vertex of the file, in the unit that is shown; GLB files are in meters');
   return [file.element, innerFile.element, action(t('Save distances'), title, work)];
 }
 
@@ -195,9 +216,12 @@ function pathControls(session: Session, action: Action): HTMLElement[] {
     const { opened, answer } = session.shown.value ?? {};
     if (!opened || !answer?.path) throw new Failure(t('There is no path. Alt + click the surface to place a walker.'));
     const points = pathPoints(answer.path, opened.drawTransform);
-    save(new Blob([pathFile(kind, points)]), `${fileNameOf(session.shown.value)}.path.${kind}`);
+    save(new Blob([pathFile(kind, points, shownUnit(session))]), `${fileNameOf(session.shown.value)}.path.${kind}`);
   };
-  return [file.element, action(t('Save path'), t('The points of the path, in the unit of the file'), work)];
+  return [
+    file.element,
+    action(t('Save path'), t('The points of the path, in the unit that is shown; GLB files are in meters'), work),
+  ];
 }
 
 function trackControls(session: Session, action: Action): HTMLElement[] {
@@ -206,9 +230,11 @@ function trackControls(session: Session, action: Action): HTMLElement[] {
   const work = async () => {
     const tracks = trackPoints(await measured(session).queries.crowdTracks());
     if (tracks.length === 0) throw new Failure(t('There is no crowd. Choose how many walk in the section Display.'));
-    save(new Blob([tracksFile(kind, tracks)]), `${fileNameOf(session.shown.value)}.tracks.${kind}`);
+    save(new Blob([tracksFile(kind, tracks, shownUnit(session))]), `${fileNameOf(session.shown.value)}.tracks.${kind}`);
   };
-  const title = t('The ways of the crowd to the sources, from where each walker is, in the unit of the file');
+  const title = t(
+    'The ways of the crowd to the sources, from where each walker is, in the unit that is shown; GLB files are in meters',
+  );
   return [file.element, action(t('Save tracks'), title, work)];
 }
 
@@ -239,5 +265,5 @@ async function measuredBy(session: Session): Promise<Measured> {
   const isPreset = scene.state.mesh.kind === 'preset';
   const input = isPreset ? await request.load() : null;
   const mesh = input?.kind === 'shape' ? `shape:${input.shape}` : opened.name;
-  return { state: scene.state, mesh, opened, field: answer.field };
+  return { state: scene.state, mesh, opened, field: answer.field, unit: shownUnit(session) };
 }

@@ -1,11 +1,13 @@
+import type { DrawPath } from '../../protocol';
 import type { GroundEditor } from '../../session/ground';
 import type { Session } from '../../session/session';
 import { colourOfCost, WALL_COLOURS } from '../../session/tints';
 import { type GroundTool, type Material, MATERIAL_COSTS, MATERIALS, RADII, TOOLS } from '../../state/brush';
 import { codeOf, COSTS, costOf, isPainted, isWeighted } from '../../state/ground';
-import { isSameUnit, unitOf } from '../../state/scene';
+import { isSameUnit, type LengthUnit, unitOf } from '../../length';
 import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
-import { length, measure, percent } from '../words';
+import { measure, threeDigits } from '../../state/measures';
+import { percent } from '../words';
 import { sentences, t, type Words } from '../../texts';
 
 /** Of the button that paints them. */
@@ -69,7 +71,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     min: COST_STEPS * Math.log10(COSTS[0]),
     max: COST_STEPS * Math.log10(COSTS[1]),
     step: 1,
-    describe: (step) => t`${length(costAt(step))} × as dear`,
+    describe: (step) => t`${threeDigits(costAt(step))} × as dear`,
     change: (step) => editor.set({ on: true, material: 'custom', cost: costAt(step) }),
   });
   const size = slider({
@@ -77,7 +79,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     min: 0,
     max: SIZE_STEPS,
     step: 1,
-    describe: (step) => t`${length(100 * radiusAt(step))} % of the diameter`,
+    describe: (step) => t`${threeDigits(100 * radiusAt(step))} % of the diameter`,
     change: (step) => editor.set({ radius: radiusAt(step) }),
   });
   attribute(size.element, 'title', t('[ and ] change it'));
@@ -112,7 +114,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     min: -HEIGHT_POWERS,
     max: HEIGHT_POWERS,
     step: 0.5,
-    describe: (power) => (power === 0 ? t('costs nothing') : t`${length(2 ** power)} × at the top`),
+    describe: (power) => (power === 0 ? t('costs nothing') : t`${threeDigits(2 ** power)} × at the top`),
     change: (power, gesture) => editor.setRelief({ highest: 2 ** power }, gesture),
   });
   const legend = h('p', { class: 'ground-legend', role: 'status' });
@@ -152,7 +154,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     const path = shown?.answer.path;
     const walked =
       path && shown && (isWeighted(ground) || isPainted(ground))
-        ? t`The path is ${measure(path.length, unitOf(scene.state, shown.opened))} long and costs ${length(path.cost)}.`
+        ? costsSentence(path, unitOf(scene.state, shown.opened))
         : null;
     const exactness = isWeighted(ground) ? t('Where costs differ, no distances are exact.') : null;
     say(legend, sentences(walked, exactness));
@@ -187,6 +189,10 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
   return element;
 }
 
+function costsSentence(path: DrawPath, unit: LengthUnit): Words {
+  return t`The path is ${measure(path.length, unit)} long and costs as much as ${measure(path.cost, unit)} of bare ground.`;
+}
+
 /** As it is painted: powers of two in steps of a twelfth. */
 function costAt(step: number): number {
   return costOf(codeOf(10 ** (step / COST_STEPS)));
@@ -209,11 +215,11 @@ function titleOf(material: Material, custom: number): Words {
     case 'eraser':
       return t('Costs 1 again; also takes walls away');
     case 'custom':
-      return t`A unit costs ${length(custom)}`;
+      return t`A unit costs ${threeDigits(custom)}`;
     case 'mud':
     case 'sand':
     case 'road':
-      return t`A unit costs ${length(MATERIAL_COSTS[material])}`;
+      return t`A unit costs ${threeDigits(MATERIAL_COSTS[material])}`;
   }
 }
 

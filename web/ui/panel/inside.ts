@@ -2,10 +2,11 @@ import type { Opener } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { lookInto } from '../../state/edit';
-import { type LengthUnit, unitOf } from '../../state/scene';
+import { isSameUnit, type LengthUnit, unitOf } from '../../length';
 import { anglesOf, CUTS, DEFAULT_FILL, FILLS, type Inside, INSIDE_RANGES, LEAST_SPACING } from '../../state/inside';
 import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
-import { finePercent, percent, seconds, tenths, tetrahedraWords, volume } from '../words';
+import { volume } from '../../state/measures';
+import { finePercent, percent, seconds, tenths, tetrahedraWords } from '../words';
 import { count, retold, sentences, some, t, type Words } from '../../texts';
 
 const CUT_WORDS: Record<Inside['cut'], Words> = { none: t('nothing'), plane: t('half'), wedge: t('a wedge') };
@@ -112,6 +113,13 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     if (state.inside !== previous.inside) showInside(state);
     if (state.fill !== previous.fill) showFill(state);
   });
+  const showReport = () => {
+    const shown = session.shown.value;
+    if (shown) say(report, reportOf(shown, unitOf(scene.state, shown.opened)));
+  };
+  scene.subscribe((state, previous) => {
+    if (!isSameUnit(state, previous)) showReport();
+  });
   session.shown.watch((shown, previous) => {
     if (!shown || shown.opened === previous?.opened) return;
     const { interior } = shown.opened;
@@ -124,7 +132,7 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     say(fill, isFilled ? t('Fill anew') : t('Fill the inside'));
     empty.hidden = !isFilled;
     looking.hidden = !interior;
-    say(report, reportOf(shown, unitOf(scene.state, shown.opened)));
+    showReport();
     showInside(scene.state);
   });
   showInside(scene.state);

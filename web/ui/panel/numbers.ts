@@ -1,9 +1,10 @@
 import type { PathKind } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
-import { isSameUnit, type LengthUnit, unitOf } from '../../state/scene';
+import { isSameUnit, type LengthUnit, unitOf } from '../../length';
 import { h, say } from '../dom';
-import { bytes, finePercent, length, measure, milliseconds, percent, percentDown } from '../words';
+import { measure, threeDigits } from '../../state/measures';
+import { bytes, finePercent, milliseconds, percent, percentDown } from '../words';
 import { count, listed, t, type Words } from '../../texts';
 
 const PATH_WORDS: Record<PathKind, Words> = {
@@ -59,9 +60,9 @@ function figures({ opened, answer, places }: Shown, unit: LengthUnit): [Words, W
     [t('Mean error before refinement'), field?.error ? finePercent(field.error.mean) : '–'],
     [t('Maximum error'), field?.error ? finePercent(field.error.max) : '–'],
     [t('Path'), path ? listed(measure(path.length, unit), PATH_WORDS[answer.pathKind]) : '–'],
-    [t('Cost of the path'), path ? length(path.cost) : '–'],
+    [t('Cost of the path'), path ? measure(path.cost, unit) : '–'],
     [t('Windows of a half-edge'), field?.windows ? count(field.windows) : '–'],
-    [t('Time factor m'), field?.timeFactor ? length(field.timeFactor) : '–'],
+    [t('Time factor m'), field?.timeFactor ? threeDigits(field.timeFactor) : '–'],
     [t('Read'), milliseconds(timings.readMs)],
     [t('Build'), milliseconds(timings.buildMs)],
     [t('Draw'), milliseconds(timings.drawMs)],

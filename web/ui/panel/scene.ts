@@ -2,12 +2,12 @@ import { formats } from '../../files/paths';
 import type { Opener } from '../../session/opener';
 import type { Session } from '../../session/session';
 import { PRESETS } from '../../state/presets';
-import { isSameUnit, type UnitChoice, unitOf, UNITS } from '../../state/scene';
-import { AUTOMATIC } from '../../wasm/contract';
-import { attribute, h, say, select } from '../dom';
+import { isSameUnit, unitOf } from '../../length';
+import { h, say } from '../dom';
 import { simplifiedSentence } from '../words';
 import { partsControl } from './parts';
-import { t, type Words } from '../../texts';
+import { unitControls } from './units';
+import { t } from '../../texts';
 
 /** URL of each preset's thumbnail by its path; `npm run gallery` draws them. */
 const THUMBNAILS = import.meta.glob<string>('../../thumbnails/*.webp', {
@@ -47,28 +47,14 @@ export function sceneSection(
   const credit = h('p', { class: 'quiet' });
 
   const simplified = h('p', { class: 'quiet', hidden: true });
-  const units: [UnitChoice, Words][] = [
-    [AUTOMATIC, t('automatic')],
-    ...UNITS.map((name): [UnitChoice, Words] => [name, name === 'none' ? t('none') : name]),
-  ];
-  const unit = select(t('Unit'), units, (value) => session.scene.edit({ unit: value, scale: 1 }));
-  attribute(
-    unit.element,
-    'title',
-    t('The unit of the lengths in the file; none is converted. A tape of known length sets another scale'),
-  );
-  const automatic = unit.element.querySelector('option');
-  const showUnit = () => {
+  const units = unitControls(session);
+  const showSimplified = () => {
     const { scene, shown } = session;
-    unit.show(scene.state.unit);
     const opened = shown.value?.opened;
     say(simplified, opened ? simplifiedSentence(opened, unitOf(scene.state, opened)) : null);
     simplified.hidden = !simplified.textContent;
-    if (!opened || !automatic) return;
-    const { symbol, assumed } = unitOf({ unit: AUTOMATIC, scale: 1 }, opened);
-    say(automatic, symbol ? (assumed ? t`${symbol} (assumed)` : t`${symbol} (of the file)`) : t('automatic (none)'));
   };
-  session.shown.watch(showUnit);
+  session.shown.watch(showSimplified);
 
   const showScene = () => {
     const { mesh } = session.scene.state;
@@ -81,7 +67,7 @@ export function sceneSection(
   };
   session.scene.subscribe((state, previous) => {
     if (state.mesh !== previous.mesh) showScene();
-    if (!isSameUnit(state, previous)) showUnit();
+    if (!isSameUnit(state, previous)) showSimplified();
   });
   showScene();
 
@@ -98,7 +84,7 @@ export function sceneSection(
         h('button', { title: t('Open the folder of a mesh'), onclick: chooseFolder }, t('Open a folder…')),
     ),
     simplified,
-    unit.element,
+    ...units,
     partsControl(session, opener),
   );
 }

@@ -67,7 +67,7 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
   const field = h('input', {
     type: 'text',
     placeholder: t('Vertex, or x y z'),
-    title: t('A vertex of the file, counted from 0, or coordinates in its unit; a list can be pasted'),
+    title: t('A vertex of the file, counted from 0, or coordinates in the unit that is shown; a list can be pasted'),
     'aria-label': t('Source to add: a vertex, or x y z'),
     onkeydown: (event) => {
       if (event instanceof KeyboardEvent && event.key === 'Enter') void add(field.value);

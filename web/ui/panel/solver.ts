@@ -1,5 +1,6 @@
 import type { Session } from '../../session/session';
 import { isMethodOf } from '../../state/inside';
+import { isSameUnit, unitOf } from '../../length';
 import { type Bridge, mayBeJoined } from '../../state/scene';
 import {
   BOUNDARY,
@@ -118,8 +119,10 @@ export function solverSection(session: Session): HTMLElement {
     const opened = session.shown.value?.opened;
     bridge.element.hidden = !opened || !mayBeJoined(opened);
     bridge.show(state.bridge);
-    const factoring = session.shown.value?.answer.factoring;
-    say(linked, factoring ? linksSentence(factoring) : null);
+    const { shown } = session;
+    const linksNow =
+      shown.value && linksSentence(shown.value.answer.factoring, unitOf(scene.state, shown.value.opened));
+    say(linked, linksNow);
     links.hidden = linked.textContent === '';
     factor.show(parameters.timeStep, session.shown.value?.answer.field?.timeFactor ?? 1);
     boundary.show(parameters.boundary);
@@ -135,7 +138,8 @@ export function solverSection(session: Session): HTMLElement {
       state.bridge !== previous.bridge ||
       state.parameters !== previous.parameters ||
       state.pathKind !== previous.pathKind ||
-      state.refine !== previous.refine
+      state.refine !== previous.refine ||
+      !isSameUnit(state, previous)
     )
       show();
   });
@@ -180,11 +184,18 @@ function refiningStatus(session: Session): HTMLElement {
   const status = h('p', { class: 'quiet', role: 'status', 'aria-live': 'off' });
   const show = () => {
     const { phase } = session.refiner;
-    const field = session.shown.value?.answer.field;
-    const sentence = field ? refiningSentence(phase.value, field, session.scene.state) : '';
+    const { scene, shown } = session;
+    const { answer, opened } = shown.value ?? {};
+    const sentence =
+      opened && answer?.field
+        ? refiningSentence(phase.value, answer.field, scene.state, unitOf(scene.state, opened))
+        : '';
     say(status, sentence);
   };
   session.shown.watch(show);
   session.refiner.phase.watch(show);
+  session.scene.subscribe((state, previous) => {
+    if (!isSameUnit(state, previous)) show();
+  });
   return status;
 }

@@ -2,9 +2,10 @@ import type { MeshPoint, OpenedMesh } from '../../protocol';
 import { linkAll, linkNearest } from '../../session/links';
 import type { Session } from '../../session/session';
 import { removeEntry, setInitialDistance } from '../../state/edit';
+import { inModel, isSameUnit, MODEL, type ModelLength, ofModel, typed, unitOf } from '../../length';
 import type { SceneState } from '../../state/scene';
 import type { Signal } from '../../state/signal';
-import { h, say } from '../dom';
+import { attribute, h, say } from '../dom';
 import type { Tool } from '../../state/tool';
 import { setName, unreachedSentence } from '../words';
 import { t, type Words } from '../../texts';
@@ -40,6 +41,7 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
   );
   const linking = h('div', { class: 'linking', hidden: true }, nearest, all);
   let rows: HTMLElement[] = [];
+  const shownUnit = () => (session.shown.value ? unitOf(scene.state, session.shown.value.opened) : MODEL);
 
   const build = () => {
     const { sources, sets } = scene.state;
@@ -79,24 +81,25 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
       type: 'number',
       min: 0,
       step: 'any',
-      title: t('Initial distance: the distance at this source, in units of the file'),
-      'aria-label': t`Initial distance of source ${index + 1}, in units`,
+      title: t('Initial distance: the distance at this source'),
       onfocus: () => {
         gesture = {};
       },
       oninput: () => {
         if (field.validity.valid && field.value !== '') {
-          setInitialDistance(scene, index, field.valueAsNumber, gesture);
+          setInitialDistance(scene, index, inModel(field.valueAsNumber, shownUnit()), gesture);
         }
       },
       onblur: () => {
-        field.valueAsNumber = entryAt(scene.state, index).offset;
+        field.valueAsNumber = typed(entryAt(scene.state, index).offset, shownUnit());
       },
     });
-    return h('label', { class: 'initial quiet' }, t('initial'), field);
+    const unitName = h('span', { class: 'initial-unit' });
+    return h('label', { class: 'initial quiet' }, t('initial'), field, unitName);
   };
   const show = () => {
     const { selected } = scene.state;
+    const unit = shownUnit();
     rows.forEach((element, index) => {
       const name = element.querySelector<HTMLButtonElement>('.source-name');
       if (!name) return;
@@ -105,19 +108,24 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
       name.setAttribute('aria-pressed', String(index === selected));
       const initial = element.querySelector<HTMLInputElement>('.initial input');
       // What is being typed is left alone.
-      if (initial && initial !== document.activeElement) initial.valueAsNumber = offset;
+      if (initial && initial !== document.activeElement) initial.valueAsNumber = typed(offset, unit);
+      const symbol = unit.symbol || t('units');
+      if (initial) attribute(initial, 'aria-label', t`Initial distance of source ${index + 1}, in ${symbol}`);
+      const unitName = element.querySelector<HTMLElement>('.initial-unit');
+      if (unitName) say(unitName, unit.symbol);
     });
   };
   scene.subscribe((state, previous) => {
     // A drag changes places, not the rows: rebuilding them would drop the focus.
     if (state.sources.length !== previous.sources.length || state.sets.length !== previous.sets.length) build();
     const isOther = state.sources !== previous.sources || state.sets !== previous.sets;
-    if (isOther || state.selected !== previous.selected) show();
+    if (isOther || state.selected !== previous.selected || !isSameUnit(state, previous)) show();
   });
   build();
   show();
 
-  session.shown.watch((shown) => {
+  session.shown.watch((shown, previous) => {
+    if (shown?.opened !== previous?.opened) show();
     const sentence = shown?.answer.field ? unreachedSentence(shown.opened, shown.answer.field) : null;
     unreached.hidden = !sentence;
     linking.hidden = !sentence || shown?.opened.report.components === 1 || shown?.opened.interior !== null;
@@ -132,22 +140,22 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
 /** What a row of the list shows. */
 interface Entry {
   title: Words;
-  offset: number;
+  offset: ModelLength;
   /** A place of it to look at. */
   middle: MeshPoint;
 }
 
-const NOTHING: Entry = { title: '', offset: 0, middle: { vertex: -1 } };
+const NOTHING: Entry = { title: '', offset: ofModel(0), middle: { vertex: -1 } };
 
 function entryAt({ sources, sets }: SceneState, index: number, opened?: OpenedMesh): Entry {
   const source = sources[index];
   if (source) {
-    return { title: pointName(source), offset: source.offset ?? 0, middle: source };
+    return { title: pointName(source), offset: ofModel(source.offset ?? 0), middle: source };
   }
   const set = sets.at(index - sources.length);
   const middle = set?.points[Math.floor(set.points.length / 2)];
   if (!set || !middle) return NOTHING;
-  return { title: setName(set, opened), offset: set.offset, middle };
+  return { title: setName(set, opened), offset: ofModel(set.offset), middle };
 }
 
 function pointName(point: MeshPoint): Words {

@@ -16,9 +16,10 @@ import {
   type MapName,
   type RampName,
 } from '../../state/styles';
-import { isSameUnit, unitOf } from '../../state/scene';
+import { isSameUnit, ofModel, unitOf } from '../../length';
 import { h, labelled, select, slider, toggle } from '../dom';
-import { measure, percent, tenths } from '../words';
+import { measure } from '../../state/measures';
+import { percent, tenths } from '../words';
 import { t, type Words } from '../../texts';
 
 const SINGLE_COLOR = 'single color';
@@ -92,7 +93,7 @@ function patternControls(session: Session, change: Change): Part {
     describe: (value) => {
       const shown = session.shown.value;
       return shown?.places.diameter
-        ? measure(value * shown.places.diameter, unitOf(session.scene.state, shown.opened))
+        ? measure(ofModel(value * shown.places.diameter), unitOf(session.scene.state, shown.opened))
         : percent(value);
     },
     change: (value, gesture) => change({ period: value }, gesture),

@@ -2,12 +2,19 @@
 
 use std::fmt::Write as _;
 
+use heatwalk_surface::Unit;
+
+use super::unit::column;
 use crate::isolines::Isolines;
 
 /// CSV with a row a point: the curve, counted from 0 over all isolines, its value, 1 where it is closed and 0 elsewhere, and
-/// the position. Numbers have 17 significant digits, which give every double back.
-pub fn csv(isolines: &Isolines) -> Vec<u8> {
-    let mut text = String::from("curve,value,closed,x,y,z\n");
+/// the position, the last two in the unit that the head says. Numbers have 17 significant digits, which give every double back.
+pub fn csv(isolines: &Isolines, unit: Option<Unit>) -> Vec<u8> {
+    let mut text = format!(
+        "curve,{},closed,{}\n",
+        column("value", unit),
+        ["x", "y", "z"].map(|axis| column(axis, unit)).join(",")
+    );
     let curves = isolines.isolines.iter().flat_map(|isoline| isoline.curves.iter().map(|curve| (isoline.value, curve)));
     for (index, (value, curve)) in curves.enumerate() {
         let is_closed = u8::from(curve.is_closed);

@@ -3,7 +3,9 @@
 use std::fmt::{Display, Write as _};
 
 use glam::DVec3;
+use heatwalk_surface::Unit;
 
+use super::unit::insertion_unit;
 use crate::isolines::Isolines;
 use crate::sheet::Sheet;
 use crate::strips::Strips;
@@ -18,10 +20,10 @@ const SPATIAL: u8 = 8;
 const SPATIAL_VERTEX: u8 = 32;
 
 /// Curves in space, one layer an isoline: `ISOLINE_2_0_5` is the third one, at 0.5.
-pub fn dxf(isolines: &Isolines) -> Vec<u8> {
+pub fn dxf(isolines: &Isolines, unit: Option<Unit>) -> Vec<u8> {
     let layer = |(index, value): (usize, f64)| name(&format!("ISOLINE_{index}"), value);
     let layers: Vec<String> = isolines.isolines.iter().map(|isoline| isoline.value).enumerate().map(layer).collect();
-    let mut file = File::begin(&layers);
+    let mut file = File::begin(&layers, unit);
     for (isoline, layer) in isolines.isolines.iter().zip(&layers) {
         for curve in &isoline.curves {
             file.polyline(layer, curve.points.iter().copied(), curve.is_closed, SPATIAL);
@@ -31,10 +33,10 @@ pub fn dxf(isolines: &Isolines) -> Vec<u8> {
 }
 
 /// Plane shapes as closed polylines, one layer a strip: `STRIP_2_0_5` is the third one, which begins at 0.5.
-pub fn sheet_dxf(sheet: &Sheet, strips: &Strips) -> Vec<u8> {
+pub fn sheet_dxf(sheet: &Sheet, strips: &Strips, unit: Option<Unit>) -> Vec<u8> {
     let layer = |strip: usize| name(&format!("STRIP_{strip}"), strips.bounds(strip)[0].unwrap_or(0.0));
     let layers: Vec<String> = (0..strips.ranges.len()).map(layer).collect();
-    let mut file = File::begin(&layers);
+    let mut file = File::begin(&layers, unit);
     for plane in &sheet.planes {
         for points in &plane.loops {
             file.polyline(&layers[plane.strip], points.iter().map(|point| point.extend(0.0)), true, 0);
@@ -55,9 +57,15 @@ fn name(begin: &str, value: f64) -> String {
 struct File(String);
 
 impl File {
-    fn begin(layers: &[String]) -> Self {
+    fn begin(layers: &[String], unit: Option<Unit>) -> Self {
         let mut file = Self(String::new());
-        file.pairs(&[(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009"), (0, "ENDSEC")]);
+        file.pairs(&[(0, "SECTION"), (2, "HEADER"), (9, "$ACADVER"), (1, "AC1009")]);
+        if let Some(unit) = unit {
+            // Newer than this release, whose readers pass over variables that they do not know.
+            file.pairs(&[(9, "$INSUNITS")]);
+            file.pair(70, insertion_unit(unit));
+        }
+        file.pairs(&[(0, "ENDSEC")]);
         file.pairs(&[(0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LAYER")]);
         file.pair(70, layers.len());
         for (index, layer) in layers.iter().enumerate() {

@@ -1,4 +1,5 @@
-//! Isolines, strips and sheets as bytes of a file. All positions are in the field's unit, turned by nothing.
+//! Isolines, strips and sheets as bytes of a file. All positions are in the field's unit, turned by nothing; `unit` is
+//! that one, where it is known.
 
 mod csv;
 mod dxf;
@@ -6,9 +7,11 @@ mod glb;
 mod obj;
 mod occlusion;
 mod svg;
+mod unit;
 
 pub use csv::csv;
 pub use dxf::{dxf, sheet_dxf};
 pub use glb::glb;
 pub use obj::{obj, strips_obj};
 pub use svg::{View, sheet_svg, svg};
+pub use unit::{column, with_ply_comment};

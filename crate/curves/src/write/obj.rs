@@ -2,14 +2,17 @@
 
 use std::fmt::Write as _;
 
+use heatwalk_surface::Unit;
+
+use super::unit::comment;
 use crate::isolines::Isolines;
 use crate::strips::Strips;
 
 // Writing to a String cannot fail.
 
 /// A group an isoline, a line a curve; a closed one returns to its first point.
-pub fn obj(isolines: &Isolines) -> Vec<u8> {
-    let mut text = String::from("# isolines of a distance by Heatwalk\n");
+pub fn obj(isolines: &Isolines, unit: Option<Unit>) -> Vec<u8> {
+    let mut text = format!("# isolines of a distance by Heatwalk\n{}", comment("#", unit));
     let mut first = 1;
     for isoline in &isolines.isolines {
         let _ = writeln!(text, "g isoline_{}", isoline.value);
@@ -30,8 +33,8 @@ pub fn obj(isolines: &Isolines) -> Vec<u8> {
 }
 
 /// A group a strip, with its triangles; vertices on isolines belong to the strips on both sides.
-pub fn strips_obj(strips: &Strips) -> Vec<u8> {
-    let mut text = String::from("# strips between isolines by Heatwalk\n");
+pub fn strips_obj(strips: &Strips, unit: Option<Unit>) -> Vec<u8> {
+    let mut text = format!("# strips between isolines by Heatwalk\n{}", comment("#", unit));
     for point in &strips.positions {
         let _ = writeln!(text, "v {} {} {}", point.x, point.y, point.z);
     }

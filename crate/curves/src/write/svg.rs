@@ -3,12 +3,14 @@
 use std::fmt::Write as _;
 
 use glam::{DMat4, DVec2, DVec3, DVec4};
+use heatwalk_surface::Unit;
 
 use crate::field::Field;
 use crate::isolines::Isolines;
 use crate::sheet::Sheet;
 use crate::strips::Strips;
 use crate::write::occlusion::Occluders;
+use crate::write::unit::millimeters;
 
 /// Along the longer side of a picture.
 const PIXELS: f64 = 1000.0;
@@ -26,6 +28,8 @@ pub struct View {
     pub clip_from_field: DMat4,
     /// Width and height of the picture, in pixels.
     pub size: DVec2,
+    /// How long a pixel is in the field's unit; `None` where that depends on how far away something is.
+    pub pixel: Option<f64>,
 }
 
 impl View {
@@ -51,7 +55,8 @@ impl View {
         ];
         let [x, y, z, w] = rows;
         let clip_from_field = DMat4::from_cols(x, y, z, w).transpose();
-        Some(Self { clip_from_field, size: extent * (PIXELS / extent.max_element()) })
+        let pixel = extent.max_element() / PIXELS;
+        Some(Self { clip_from_field, size: extent / pixel, pixel: Some(pixel) })
     }
 
     /// Where a point is in the picture, in pixels, Y down, and its depth toward the eye; none for one behind the eye.
@@ -74,8 +79,9 @@ fn is_front([a, b, c]: [DVec3; 3]) -> bool {
     (b - a).truncate().perp_dot((c - a).truncate()) < 0.0
 }
 
-/// What is seen of isolines on the outside of the surface, a group each: parts that are behind others are left out.
-pub fn svg(isolines: &Isolines, field: &Field, view: &View) -> Vec<u8> {
+/// What is seen of isolines on the outside of the surface, a group each: parts that are behind others are left out. At true scale
+/// where there is one.
+pub fn svg(isolines: &Isolines, field: &Field, view: &View, unit: Option<Unit>) -> Vec<u8> {
     let triangles = 0..field.triangles().len();
     let placed: Vec<Option<[DVec3; 3]>> = triangles.map(|triangle| view.triangle(field.corners(triangle))).collect();
     let occluders = Occluders::new(placed.iter().copied().flatten().collect());
@@ -96,11 +102,12 @@ pub fn svg(isolines: &Isolines, field: &Field, view: &View) -> Vec<u8> {
         }
         text.push_str("</g>\n");
     }
-    document(&text, view.size, "")
+    let scale = unit.zip(view.pixel).map(|(unit, pixel)| millimeters(unit) * pixel);
+    document(&text, view.size, scale, "")
 }
 
-/// Plane shapes, a group a strip, in the field's unit.
-pub fn sheet_svg(sheet: &Sheet, strips: &Strips) -> Vec<u8> {
+/// Plane shapes, a group a strip, in the field's unit and at true scale where that is known.
+pub fn sheet_svg(sheet: &Sheet, strips: &Strips, unit: Option<Unit>) -> Vec<u8> {
     let mut text = String::new();
     for plane in &sheet.planes {
         let _ = write!(text, "<path class=\"{}\" d=\"", strips.name(plane.strip));
@@ -114,7 +121,7 @@ pub fn sheet_svg(sheet: &Sheet, strips: &Strips) -> Vec<u8> {
         }
         text.push_str("\"/>\n");
     }
-    document(&text, sheet.size, " fill-rule=\"evenodd\"")
+    document(&text, sheet.size, unit.map(millimeters), " fill-rule=\"evenodd\"")
 }
 
 /// A `path` element that grows by segments.
@@ -141,15 +148,19 @@ impl Path {
     }
 }
 
-/// `size`: in the units of the content, whatever these are; the picture has 1000 pixels along its longer side.
-fn document(content: &str, size: DVec2, attributes: &str) -> Vec<u8> {
+/// `size`: in the units of the content, whatever these are. `scale`: how long they are in millimeters; without, the picture has 1000
+/// pixels along its longer side.
+fn document(content: &str, size: DVec2, scale: Option<f64>, attributes: &str) -> Vec<u8> {
     let width = LINE_WIDTH * size.min_element();
-    let pixels = size * (PIXELS / size.max_element());
+    let (drawn, suffix) = match scale {
+        Some(scale) => (size * scale, "mm"),
+        None => (size * (PIXELS / size.max_element()), ""),
+    };
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{2}\" height=\"{3}\" viewBox=\"0 0 {0} {1}\">\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{2}{suffix}\" height=\"{3}{suffix}\" viewBox=\"0 0 {0} {1}\">\n\
          <g fill=\"none\" stroke=\"black\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{attributes}>\n\
          {content}</g>\n</svg>\n",
-        size.x, size.y, pixels.x, pixels.y
+        size.x, size.y, drawn.x, drawn.y
     )
     .into_bytes()
 }

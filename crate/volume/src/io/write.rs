@@ -9,10 +9,12 @@ const VTK_TETRAHEDRON: u8 = 10;
 /// Gmsh's number of tetrahedra.
 const GMSH_TETRAHEDRON: i32 = 4;
 
-/// A line `vertex,distance` for each vertex, counted from 0, after a head; `inf` where no source is reached.
-pub fn csv(distance: &[f64]) -> Vec<u8> {
+/// A line `vertex,distance` for each vertex, counted from 0, after a head with the symbol of the `unit` where there is one; `inf` where
+/// no source is reached.
+pub fn csv(distance: &[f64], unit: Option<&str>) -> Vec<u8> {
+    let head = unit.map_or_else(|| "vertex,distance\n".to_owned(), |unit| format!("vertex,distance ({unit})\n"));
     let rows = distance.iter().enumerate().map(|(vertex, value)| format!("{vertex},{value}\n"));
-    std::iter::once("vertex,distance\n".to_owned()).chain(rows).collect::<String>().into_bytes()
+    std::iter::once(head).chain(rows).collect::<String>().into_bytes()
 }
 
 /// VTU (Kitware, "VTK File Formats"): an unstructured grid in doubles, appended raw and little-endian, with the point data

@@ -1,6 +1,7 @@
 /** What answers of the engine are made of, which alone calls this: the field, paths on it, and what both depend on. */
 import type {
   DistanceField,
+  DrawPath,
   GroundChange,
   InnerCut,
   InnerView,
@@ -13,6 +14,7 @@ import type {
   TracedPath,
 } from '../../../protocol';
 import type * as wasm from '../../../wasm/solver/heatwalk_worker.js';
+import type { WithLengths } from '../../../length';
 import { Latest } from '../../latest';
 import { nextWork, SLICE_MS, stopwatch } from '../clock';
 import { known, type Mesh, openMesh, openSurface, pathOf } from '../mesh';
@@ -76,7 +78,7 @@ export function searchPath(from: MeshPoint): TracedPath | null {
   const found = pathOf(() => openSurface().search_path(known(from), mesh.work));
   const pathMs = clock();
   mesh.work = nextWork(mesh.work, pathMs, SLICE_MS);
-  return found === undefined ? null : { path: found, pathMs };
+  return found === undefined ? null : { path: found as DrawPath | null, pathMs };
 }
 
 /**
@@ -107,7 +109,7 @@ export function pose(moment: Moment | null, measured: boolean): Posed | null {
     const posed = moving.pose(clip, seconds);
     return posed ? [{ part, pose: posed }] : [];
   });
-  return { surface, scenery, path: solver.posed_path() ?? null };
+  return { surface, scenery, path: (solver.posed_path() as DrawPath | undefined) ?? null };
 }
 
 /** What a field is before any refinement. */
@@ -132,11 +134,12 @@ function seen({ inside }: Mesh): InnerView | null {
 }
 
 function fieldOf({ inner, error, ...found }: wasm.Field, { solver, solveMs, refineMs }: Mesh): DistanceField {
-  return { ...found, inner: inner ?? null, error: error ?? null, tangents: solver.tangents(), solveMs, refineMs };
+  const measured = found as WithLengths<typeof found, 'maxDistance' | 'exactBelow'>;
+  return { ...measured, inner: inner ?? null, error: error ?? null, tangents: solver.tangents(), solveMs, refineMs };
 }
 
 function trace({ solver }: Mesh, request: PathRequest | null): TracedPath {
   const clock = stopwatch();
   const found = request && pathOf(() => solver.path(known(request.from), request.kind));
-  return { path: found ?? null, pathMs: clock() };
+  return { path: (found ?? null) as DrawPath | null, pathMs: clock() };
 }

@@ -1,5 +1,14 @@
 /** Opens the mesh of this worker, and makes it ready to be asked. */
-import type { Factoring, MemoryBudget, MeshInput, OpenedMesh, ProgressListener, Timings } from '../../../protocol';
+import { ofModel, type WithLengths } from '../../../length';
+import type {
+  BuildReport,
+  Factoring,
+  MemoryBudget,
+  MeshInput,
+  OpenedMesh,
+  ProgressListener,
+  Timings,
+} from '../../../protocol';
 import type { InnerSolver } from '../../../wasm/interior/heatwalk_interior';
 import { AUTOMATIC, type Parameters, type Stage, type Up } from '../../../wasm/contract';
 import initialise, * as wasm from '../../../wasm/solver/heatwalk_worker.js';
@@ -107,8 +116,8 @@ export async function open(
     inputVertices,
     drawTransform,
     scenery,
-    report: interior ? { ...report, inputVertices: interior.report.inputVertices } : report,
-    meanEdge: interior?.report.meanEdge ?? surface.mean_edge(),
+    report: (interior ? { ...report, inputVertices: interior.report.inputVertices } : report) as BuildReport,
+    meanEdge: ofModel(interior?.report.meanEdge ?? surface.mean_edge()),
     interior,
     weights: surface.weights() ?? null,
   };
@@ -179,7 +188,7 @@ async function factoringOf({ solver, surface, timings }: Mesh): Promise<Factorin
   const { memory } = await ready;
   return {
     timings,
-    ...(surface?.joined() ?? NOT_JOINED),
+    ...((surface?.joined() ?? NOT_JOINED) as WithLengths<wasm.Joined, 'crackGap' | 'linkedGap'>),
     factorNonzeros: solver.factor_nonzeros(),
     memoryBytes: memory.buffer.byteLength + interiorBytes(),
   };

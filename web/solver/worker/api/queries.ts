@@ -2,7 +2,9 @@
 import type {
   CurveFile,
   DistanceFile,
+  DrawPath,
   EdgeKind,
+  Enclosure,
   FaceField,
   InnerDistanceFile,
   Isolines,
@@ -11,6 +13,7 @@ import type {
   MeshPoint,
   SurfaceLeg,
 } from '../../../protocol';
+import type { LengthUnit } from '../../../length';
 import type * as wasm from '../../../wasm/solver/heatwalk_worker.js';
 import { nextWork, SLICE_MS, stopwatch } from '../clock';
 import type { Bytes } from '../files';
@@ -53,23 +56,23 @@ export function measure(from: MeshPoint, to: MeshPoint): { leg: Leg | null } | n
   const clock = stopwatch();
   const [start, end] = [known(from), known(to)];
   const { inside } = mesh;
-  if (inside) return { leg: pathOf(() => inside.solver.measure(start, end)) ?? null };
+  if (inside) return { leg: pathOf(() => inside.solver.measure(start, end) as DrawPath | undefined) ?? null };
   const leg = pathOf(() => openSurface().measure(start, end, mesh.work));
   mesh.work = nextWork(mesh.work, clock(), SLICE_MS);
-  return leg === undefined ? null : { leg };
+  return leg === undefined ? null : { leg: leg as SurfaceLeg | null };
 }
 
 /** A locally shortest path between two places of a surface, or one of locally least cost; null where none leads there. */
 export function estimate(from: MeshPoint, to: MeshPoint): SurfaceLeg | null {
-  return pathOf(() => openSurface().estimate(known(from), known(to))) ?? null;
+  return pathOf(() => openSurface().estimate(known(from), known(to)) as SurfaceLeg | undefined) ?? null;
 }
 
 /** What the closed curve of these legs encloses. */
-export function enclosed(legs: readonly SurfaceLeg[]): wasm.Enclosure {
+export function enclosed(legs: readonly SurfaceLeg[]): Enclosure {
   const triangles = Uint32Array.from(legs.flatMap((leg) => [...leg.triangles]));
   const weights = Float64Array.from(legs.flatMap((leg) => [...leg.weights]));
   const counts = Uint32Array.from(legs, (leg) => leg.triangles.length);
-  return openSurface().enclosed(triangles, weights, counts);
+  return openSurface().enclosed(triangles, weights, counts) as Enclosure;
 }
 
 /**
@@ -135,19 +138,19 @@ export async function isolines(wish: IsolineWish): Promise<Isolines> {
   return (await curves()).isolines(openSurface(), wish, openMesh().shownAs);
 }
 
-/** A file of isolines of the last field, in the unit of the file. */
+/** A file of isolines of the last field. */
 export async function curveFile(wish: IsolineWish, file: CurveFile): Promise<Bytes> {
   return (await curves()).curveFile(openSurface(), wish, file, openMesh().shownAs);
 }
 
-/** A file of the last field; of a mesh that is as in its file, with all that this holds. */
-export async function distanceFile(kind: DistanceFile): Promise<Bytes> {
-  return (await curves()).distanceFile(openSurface(), kind, openMesh().shownAs);
+/** A file of the last field, with lengths in a unit; of a mesh that is as in its file, with all that this holds. */
+export async function distanceFile(kind: DistanceFile, unit: LengthUnit): Promise<Bytes> {
+  return (await curves()).distanceFile(openSurface(), kind, unit, openMesh().shownAs);
 }
 
 /** The same of tetrahedra. */
-export function innerDistanceFile(kind: InnerDistanceFile): Bytes {
+export function innerDistanceFile(kind: InnerDistanceFile, { scale, symbol }: LengthUnit): Bytes {
   const { inside } = openMesh();
   if (!inside) throw new Error('Only tetrahedra can be asked this, and the mesh is a surface.');
-  return inside.solver.file(kind) as Bytes;
+  return inside.solver.file(kind, scale, symbol) as Bytes;
 }

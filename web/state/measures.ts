@@ -1,0 +1,40 @@
+/** Lengths, areas and volumes as the page shows them. */
+import {
+  type LengthUnit,
+  type ModelArea,
+  type ModelLength,
+  type ModelVolume,
+  told,
+  toldArea,
+  toldVolume,
+} from '../length';
+import { numbers, t, type Words } from '../texts';
+
+/** A number of three digits. */
+export const threeDigits = numbers({ maximumSignificantDigits: 3, useGrouping: false });
+
+/** A length with its unit. */
+export function measure(value: ModelLength, unit: LengthUnit): Words {
+  return t`${threeDigits(told(value, unit))} ${unitWords(unit)}`;
+}
+
+/** A unit, and that it is assumed where it is. */
+export function unitWords({ symbol, assumed }: LengthUnit): Words {
+  const name = symbol || t('units');
+  return assumed ? t`${name} (assumed)` : name;
+}
+
+/** What a column or an axis is called, with its unit where there is one. */
+export function withUnit(name: Words, symbol: string): Words {
+  return symbol ? t`${name} (${symbol})` : name;
+}
+
+export function volume(value: ModelVolume, unit: LengthUnit): Words {
+  const cubed = unit.symbol ? unitWords({ ...unit, symbol: `${unit.symbol}³` }) : t('cubic units');
+  return t`${threeDigits(toldVolume(value, unit))} ${cubed}`;
+}
+
+export function area(value: ModelArea, unit: LengthUnit): Words {
+  const squared = unit.symbol ? unitWords({ ...unit, symbol: `${unit.symbol}²` }) : t('square units');
+  return t`${threeDigits(toldArea(value, unit))} ${squared}`;
+}
