@@ -9,6 +9,7 @@ use crate::common::square;
 use crate::common::truth::Random;
 use glam::dvec3;
 use heatwalk::exact::{ExactGeometry, PlaceDistances, Wavefront, shortest_path};
+use heatwalk::path::shortest;
 use heatwalk::{
     Bridges, Carriers, DistanceOptions, DistanceSolver, Element, ExactSearch, FaceId, Method, Place, Portal,
     Propagation, PropagationOptions, PropagationRefinement, Soup, Surface, VertexId, descend, go_on, straighten,
@@ -151,6 +152,10 @@ fn places_in_faces_are_reached_through_portals() {
         for (&place, &expected) in places.iter().zip(front.target_values()) {
             let value = distances.at(place).expect("a valid place");
             assert!(is_near(value, expected), "{place:?}: {value} for {expected}");
+            if expected.is_finite() {
+                let length = shortest(&distances, place).expect("a path").length();
+                assert!(is_near(length, expected), "{place:?}: a path of {length} for {expected}");
+            }
         }
     }
 }

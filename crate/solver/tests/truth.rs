@@ -16,10 +16,11 @@ use crate::common::truth::examine::{Examined, METHODS, ROUNDING, SYMMETRIC};
 use crate::common::truth::{Case, Random, developable, nasty, thin};
 use glam::{DQuat, DVec3};
 use heatwalk::exact::{PlaceDistances, Wavefront, exact_distance, shortest_path};
+use heatwalk::path::shortest;
 use heatwalk::propagation::propagated_distance;
 use heatwalk::{
-    DistanceOptions, DistanceSolver, Element, ExactSearch, FaceId, InputVertex, Method, Place, PropagationOptions,
-    Soup, Surface, VertexData, VertexId, Windows, go_on,
+    DistanceOptions, DistanceSolver, Element, ExactSearch, FaceId, InputVertex, Method, PathKind, Place,
+    PropagationOptions, Soup, Surface, VertexData, VertexId, Windows, go_on,
 };
 
 /// Meshes of each family.
@@ -153,15 +154,15 @@ fn paths_are_as_long_as_distances() {
         for _ in 0..5 {
             let to = any_vertex(&surface, &mut random);
             let value = answer.distance.values[to];
-            let length = match shortest_path(solver.exact_geometry(), to, &[source]) {
-                Err(_) => f64::INFINITY,
-                Ok(path) => {
+            let searched = shortest_path(solver.exact_geometry(), to, &[source]);
+            for path in [searched, solver.path(&answer, to, PathKind::Straightened)] {
+                let length = path.map_or(f64::INFINITY, |path| {
                     check_valid(&surface, &path);
                     path.length()
+                });
+                if length != value && (length - value).abs() > SYMMETRIC * value + ROUNDING * extent(&surface) {
+                    return Err(format!("{length:e} along the path from {source} to {to}, {value:e} by distance"));
                 }
-            };
-            if length != value && (length - value).abs() > SYMMETRIC * value + ROUNDING * extent(&surface) {
-                return Err(format!("{length:e} along the path from {source} to {to}, {value:e} by distance"));
             }
         }
         Ok(())
@@ -188,6 +189,19 @@ fn places_in_faces_are_as_far_as_a_search_to_them_says() {
             let found = distances.at(place).expect("a valid place");
             if found != value && (found - value).abs() > SYMMETRIC * value + ROUNDING * extent(&surface) {
                 return Err(format!("{found:e} at {place:?}, {value:e} by the search"));
+            }
+            let paths = [shortest(&distances, place), shortest_path(&geometry, place, &sources)];
+            let [length, searched] = paths.map(|path| {
+                path.map_or(f64::INFINITY, |path| {
+                    check_valid(&surface, &path);
+                    let end = path.points[path.points.len() - 1].location;
+                    let (_, initial) =
+                        sources.into_iter().find(|(source, _)| *source == end).expect("it ends at a source");
+                    path.length() + initial
+                })
+            });
+            if length > searched * (1.0 + SYMMETRIC) + ROUNDING * extent(&surface) {
+                return Err(format!("{length:e} along the path from {place:?}, {searched:e} by a search"));
             }
         }
         Ok(())

@@ -1,4 +1,4 @@
-//! Exact distance at places in faces, from exact distances of all vertices.
+//! Exact distance at places in faces, and exact paths from them, from exact distances of all vertices.
 //!
 //! Straight lines go out from the place through unfolded faces until they meet a vertex, a source or an end of a portal, whose
 //! distance is known: the shortest path goes straight to the first that it meets. No distance changes faster than place does, so
@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use heatwalk_surface::{Place, Source, ToPoint, ToSource, VertexData, VertexId};
+use heatwalk_surface::{FaceId, HalfedgeId, Path, PathPoint, Place, Source, ToPoint, ToSource, VertexData, VertexId};
 
 use super::geometry::{ExactGeometry, Frame, after, before};
 use super::points::PointsInFaces;
@@ -21,6 +21,9 @@ use crate::extremum::{larger, smaller};
 /// A place may take as many windows as the surface has faces, or so many: usual ones take some hundreds to some ten thousand. Where
 /// many faces of an edge lie on each other there is no end of lines of one length, which a search from the sources tells apart.
 const MOST_WINDOWS: usize = 1 << 16;
+
+/// A straight line on a path is longer than the distances of its ends say by no more than this share: their rounding.
+const STRAIGHT: f64 = 1e-9;
 
 /// Exact distances from sources, of places.
 #[derive(Debug)]
@@ -68,24 +71,99 @@ impl<'a> PlaceDistances<'a> {
         if let Place::Vertex(vertex) = place {
             return Ok(self.values[vertex]);
         }
-        let places: Vec<Place> = self.sources.iter().map(Source::place).collect();
-        let portals = self.geometry.portals();
-        let mut lines = Lines {
-            known: self,
-            least: f64::INFINITY,
-            sources: Targets::new(&places, Arc::clone(&self.sources_in_faces)),
-            ends: Targets::new(portals.places(), Arc::clone(portals.in_faces())),
-            reached_ends: Vec::new(),
-            waiting: Vec::new(),
-        };
-        lines.start(place, 0.0);
-        let most = MOST_WINDOWS.max(self.geometry.frames.len());
-        if lines.follow(most) {
-            Ok(lines.least)
-        } else {
-            Ok(search(self.geometry, &self.sources, place)?.target_values()[0])
+        match Lines::followed(self, place) {
+            Some(lines) => Ok(lines.least),
+            None => Ok(search(self.geometry, &self.sources, place)?.target_values()[0]),
         }
     }
+
+    /// The surface in the faces of which distances are known, and the sources.
+    pub(crate) fn asked(&self) -> (&'a Arc<ExactGeometry>, &[Source]) {
+        (self.geometry, &self.sources)
+    }
+
+    /// Whether a path from a place to a source is as long as its distance says, up to rounding.
+    pub(crate) fn is_shortest(&self, path: &Path) -> Result<bool> {
+        let (surface, [Some(from), Some(to)]) = (&self.geometry.surface, [path.points.first(), path.points.last()])
+        else {
+            return Ok(false);
+        };
+        let [a, b, _] = surface.corners(from.face);
+        let cost = self.geometry.frame(from.face.0)[0].length / a.distance(b);
+        let here = self.sources.iter().filter(|source| source.place() == to.location);
+        let initial = here.map(Source::initial_distance).fold(f64::INFINITY, f64::min);
+        Ok(cost * path.length() + initial <= self.at(from.location)? * (1.0 + STRAIGHT) + self.geometry.grain)
+    }
+
+    /// Points on the edges that the shortest path crosses, wherever it crosses them, and at the vertices that it turns at; none where
+    /// there is no path, and where rounding hides which way it goes.
+    pub(crate) fn crossed(&self, from: Place) -> Option<Vec<PathPoint>> {
+        let mut points = Vec::new();
+        let (mut place, mut value) = (from, f64::INFINITY);
+        loop {
+            if let Place::Vertex(vertex) = place {
+                // Values fall strictly, so that each vertex is passed once.
+                if self.values[vertex] >= value {
+                    return None;
+                }
+                value = self.values[vertex];
+                let is_here = |source: &Source| source.place() == place && source.initial_distance() <= value;
+                if self.sources.iter().any(is_here) {
+                    if points.is_empty() {
+                        let face = self.geometry.faces_at(&self.geometry.surface, place).first()?.0;
+                        points.push(self.point(place, face));
+                    }
+                    return Some(points);
+                }
+            }
+            let lines = Lines::followed(self, place)?;
+            let found = lines.found.as_ref()?;
+            if lines.least > value * (1.0 + STRAIGHT) + self.geometry.grain {
+                return None;
+            }
+            lines.trace(found, &mut points);
+            match found.end {
+                End::Source(_) => {
+                    // From the source itself.
+                    points.dedup_by(|next, last| next.location == last.location);
+                    return Some(points);
+                }
+                End::Vertex(vertex) => place = Place::Vertex(vertex),
+            }
+        }
+    }
+
+    fn point(&self, location: Place, face: u32) -> PathPoint {
+        PathPoint { position: location.position(&self.geometry.surface), location, face: FaceId(face) }
+    }
+}
+
+/// Where a straight line ends.
+#[derive(Debug, Clone, Copy)]
+enum End {
+    Vertex(VertexId),
+    Source(u32),
+}
+
+/// The end of the shortest path found.
+#[derive(Debug)]
+struct Found {
+    /// In this face.
+    face: u32,
+    /// By way of this step.
+    step: u32,
+    end: End,
+}
+
+/// A step on the way of lines.
+#[derive(Debug, Clone, Copy)]
+enum Step {
+    /// They go out from a place.
+    Start(Place),
+    /// They cross an edge, from one half-edge to another, after a step.
+    Cross { out: u32, into: u32, after: u32 },
+    /// They go on from the other end of a portal, one end of which they have reached in a face, after a step.
+    Emerge { end: u32, face: u32, after: u32 },
 }
 
 /// Straight lines from a place.
@@ -93,31 +171,59 @@ struct Lines<'a> {
     known: &'a PlaceDistances<'a>,
     /// The length of the shortest path found.
     least: f64,
+    found: Option<Found>,
     sources: Targets,
     /// Of the portals.
     ends: Targets,
-    /// Ends that have come nearer to the place, to be left by their portals.
-    reached_ends: Vec<u32>,
-    /// Windows, each with the half-edge by which it enters a face.
-    waiting: Vec<(u32, Beam)>,
+    /// Ends that have come nearer to the place, to be left by their portals, with the faces and the steps by which they are reached.
+    reached_ends: Vec<(u32, u32, u32)>,
+    /// Windows, each with the half-edges by which it leaves a face and enters the next. Their root is the step before.
+    waiting: Vec<(u32, u32, Beam)>,
+    steps: Vec<Step>,
 }
 
-impl Lines<'_> {
+impl<'a> Lines<'a> {
+    /// Those from a place, to their ends; none where they are too many.
+    fn followed(known: &'a PlaceDistances<'a>, place: Place) -> Option<Self> {
+        let places: Vec<Place> = known.sources.iter().map(Source::place).collect();
+        let portals = known.geometry.portals();
+        let mut lines = Lines {
+            known,
+            least: f64::INFINITY,
+            found: None,
+            sources: Targets::new(&places, Arc::clone(&known.sources_in_faces)),
+            ends: Targets::new(portals.places(), Arc::clone(portals.in_faces())),
+            reached_ends: Vec::new(),
+            waiting: Vec::new(),
+            steps: Vec::new(),
+        };
+        lines.start(place, 0.0, Step::Start(place));
+        let most = MOST_WINDOWS.max(known.geometry.frames.len());
+        lines.follow(most).then_some(lines)
+    }
+
     /// Sends lines from a place at this distance from the one asked for.
-    fn start(&mut self, place: Place, offset: f64) {
+    fn start(&mut self, place: Place, offset: f64, step: Step) {
         let geometry = self.known.geometry;
+        let root = self.push(step);
         for (face, weights) in geometry.faces_at(&geometry.surface, place) {
             let frame = geometry.frame(face);
             for k in 0..3 {
                 let [x, depth] = frame.place(k, weights);
-                self.offer_vertex(frame[k].vertex, offset + length(x, depth));
+                let vertex = VertexId(frame[k].vertex);
+                // A vertex is not on the way from itself.
+                if place != Place::Vertex(vertex) {
+                    self.offer(End::Vertex(vertex), offset + length(x, depth), (face, root));
+                }
             }
-            self.see(|targets, nearer| targets.see_straight(frame, (face, weights), (offset, 0), nearer));
+            self.see((face, root), |targets, nearer| {
+                targets.see_straight(frame, (face, weights), (offset, root), nearer);
+            });
             for k in 0..3 {
                 let [x, depth] = frame.place(k, weights);
                 if depth > 0.0 {
                     let across = frame[k].length;
-                    let all = Beam { begin: 0.0, end: across, x: across - x, depth, offset, root: 0 };
+                    let all = Beam { begin: 0.0, end: across, x: across - x, depth, offset, root };
                     self.leave(face * 3 + k as u32, all);
                 }
             }
@@ -127,10 +233,10 @@ impl Lines<'_> {
     /// Follows all lines to their ends. Returns whether these are no more than `most`.
     fn follow(&mut self, most: usize) -> bool {
         for _ in 0..most {
-            if let Some((halfedge, beam)) = self.waiting.pop() {
-                self.cross(halfedge, beam);
-            } else if let Some(end) = self.reached_ends.pop() {
-                self.emerge(end);
+            if let Some((out, halfedge, beam)) = self.waiting.pop() {
+                self.cross(out, halfedge, beam);
+            } else if let Some(reached) = self.reached_ends.pop() {
+                self.emerge(reached);
             } else {
                 return true;
             }
@@ -139,18 +245,21 @@ impl Lines<'_> {
     }
 
     /// Lets a window cross a face.
-    fn cross(&mut self, halfedge: u32, beam: Beam) {
+    fn cross(&mut self, out: u32, halfedge: u32, mut beam: Beam) {
         let geometry = self.known.geometry;
         let (frame, k) = geometry.frame_of(halfedge);
         if !self.can_be_nearer(frame, k, &beam) {
             return;
         }
-        self.see(|targets, nearer| targets.see(frame, halfedge, (&beam, geometry.grain), nearer));
+        beam.root = self.push(Step::Cross { out, into: halfedge, after: beam.root });
+        let here = (halfedge / 3, beam.root);
+        self.see(here, |targets, nearer| targets.see(frame, halfedge, (&beam, geometry.grain), nearer));
         let (sides, opposite) = (frame.seen_from(k), frame.opposite(k));
         let crossing = Crossing::new(beam, opposite);
         if crossing.sees_corner(geometry.grain) {
             let at = smaller(larger(crossing.splits(), beam.begin), beam.end);
-            self.offer_vertex(sides[2].vertex, beam.at(at) + length(opposite[0] - at, opposite[1]));
+            let length = beam.at(at) + length(opposite[0] - at, opposite[1]);
+            self.offer(End::Vertex(VertexId(sides[2].vertex)), length, here);
         }
         let first = halfedge - k as u32;
         for (out, beam) in [(before(k), crossing.to_left(sides)), (after(k), crossing.to_right(sides))] {
@@ -161,14 +270,12 @@ impl Lines<'_> {
     }
 
     /// Lets a window out of a face by a half-edge, as those across see it.
-    fn leave(&mut self, halfedge: u32, beam: Beam) {
+    fn leave(&mut self, out: u32, beam: Beam) {
         let geometry = self.known.geometry;
-        let (frame, k) = geometry.frame_of(halfedge);
-        self.waiting.extend(
-            geometry
-                .across(halfedge)
-                .map(|(target, is_mirrored)| (target, if is_mirrored { beam.mirrored(frame[k].length) } else { beam })),
-        );
+        let (frame, k) = geometry.frame_of(out);
+        self.waiting.extend(geometry.across(out).map(|(target, is_mirrored)| {
+            (out, target, if is_mirrored { beam.mirrored(frame[k].length) } else { beam })
+        }));
     }
 
     /// Whether a path through a window at a half-edge can be shorter than the shortest one found.
@@ -182,26 +289,79 @@ impl Lines<'_> {
         beam.at(at) + larger(a - at, b - (across - at)) < self.least
     }
 
-    fn offer_vertex(&mut self, vertex: u32, length: f64) {
-        self.least = smaller(self.least, length + self.known.values[VertexId(vertex)]);
+    /// Offers an end at this distance from the place, by way of a face and a step.
+    fn offer(&mut self, end: End, length: f64, (face, step): (u32, u32)) {
+        let length = length
+            + match end {
+                End::Vertex(vertex) => self.known.values[vertex],
+                End::Source(source) => self.known.sources[source as usize].initial_distance(),
+            };
+        if length < self.least {
+            self.least = length;
+            self.found = Some(Found { face, step, end });
+        }
     }
 
     /// Offers the sources and the ends of portals in a face what `offer` sees there.
-    fn see(&mut self, offer: impl Fn(&mut Targets, &mut dyn FnMut(u32, f64))) {
-        let Self { known, least, sources, ends, reached_ends, .. } = self;
-        offer(sources, &mut |source, length| {
-            *least = smaller(*least, length + known.sources[source as usize].initial_distance());
-        });
-        offer(ends, &mut |end, _| reached_ends.push(end));
+    fn see(&mut self, here: (u32, u32), offer: impl Fn(&mut Targets, &mut dyn FnMut(u32, f64))) {
+        let mut seen = Vec::new();
+        offer(&mut self.sources, &mut |source, length| seen.push((source, length)));
+        for (source, length) in seen {
+            self.offer(End::Source(source), length, here);
+        }
+        let (face, step) = here;
+        let reached_ends = &mut self.reached_ends;
+        offer(&mut self.ends, &mut |end, _| reached_ends.push((end, face, step)));
     }
 
     /// Goes on from the other end of a portal, unless that is nearer by itself.
-    fn emerge(&mut self, end: u32) {
+    fn emerge(&mut self, (end, face, after): (u32, u32, u32)) {
         let (portals, other) = (self.known.geometry.portals(), Portals::across(end));
         let length = self.ends.values[end as usize] + portals.gap(end);
         if length < self.ends.values[other as usize] && length < self.least {
             self.ends.values[other as usize] = length;
-            self.start(portals.places()[other as usize], length);
+            self.start(portals.places()[other as usize], length, Step::Emerge { end, face, after });
+        }
+    }
+
+    fn push(&mut self, step: Step) -> u32 {
+        self.steps.push(step);
+        self.steps.len() as u32 - 1
+    }
+
+    /// Appends what the shortest path crosses, from the place to its end.
+    fn trace(&self, found: &Found, points: &mut Vec<PathPoint>) {
+        let (known, begin) = (self.known, points.len());
+        let end = match found.end {
+            End::Vertex(vertex) => Place::Vertex(vertex),
+            End::Source(source) => known.sources[source as usize].place(),
+        };
+        // From the end to the place; each point knows the face after it.
+        points.push(known.point(end, found.face));
+        let (mut face, mut step) = (found.face, found.step);
+        loop {
+            match self.steps[step as usize] {
+                Step::Start(place) => {
+                    points.push(known.point(place, face));
+                    break;
+                }
+                Step::Cross { out, into, after } => {
+                    let middle = Place::Edge { halfedge: HalfedgeId(into), fraction: 0.5 };
+                    points.push(known.point(middle, into / 3));
+                    (face, step) = (out / 3, after);
+                }
+                Step::Emerge { end, face: reached, after } => {
+                    let places = known.geometry.portals().places();
+                    points.push(known.point(places[Portals::across(end) as usize], face));
+                    points.push(known.point(places[end as usize], reached));
+                    (face, step) = (reached, after);
+                }
+            }
+        }
+        points[begin..].reverse();
+        // The last line has ended where this one begins.
+        if begin > 0 {
+            points.remove(begin - 1);
         }
     }
 }

@@ -13,6 +13,6 @@ mod strip;
 pub use descent::descend;
 pub use enclosed::{Enclosed, enclosed};
 pub use refract::refract;
-pub use search::PathSearch;
+pub use search::{PathSearch, shortest};
 pub use straighten::straighten;
 pub use straightest::{Straightest, straightest};

@@ -4,9 +4,28 @@ use std::sync::Arc;
 
 use heatwalk_surface::{Path, Source, SurfacePoint, ToPoint, ToSource};
 
+use super::straighten::straighten;
 use crate::error::{Error, Result};
-use crate::exact::{ExactGeometry, Wavefront};
+use crate::exact::{self, ExactGeometry, PlaceDistances, Wavefront};
 use crate::refinement;
+
+/// A shortest path from a place to the source for which initial distance plus length is least, found by way of the exact distances of
+/// vertices around it: as [`exact::shortest_path`], without a search from the sources.
+///
+/// # Errors
+/// As [`exact::shortest_path`].
+pub fn shortest(distances: &PlaceDistances<'_>, from: impl ToPoint) -> Result<Path> {
+    let (geometry, sources) = distances.asked();
+    let surface = geometry.surface();
+    let from = from.to_point(surface)?;
+    if let Some(points) = distances.crossed(from.place()) {
+        let path = straighten(surface, &Path::new(surface, points))?;
+        if distances.is_shortest(&path)? {
+            return Ok(path);
+        }
+    }
+    exact::shortest_path(geometry, from, sources)
+}
 
 /// The search for a shortest path, as [`exact::shortest_path`](crate::exact::shortest_path), which can be interrupted.
 #[derive(Debug)]

@@ -9,12 +9,12 @@ use super::{Answer, DistanceOptions, DistanceSolver};
 use crate::error::Result;
 use crate::exact::{self, PlaceDistances};
 use crate::options::{Method, PathKind};
-use crate::path::{PathSearch, descend, refract, straighten};
+use crate::path::{PathSearch, descend, refract, shortest, straighten};
 use crate::propagation::{REFRACTED, Windows};
 
 impl DistanceSolver {
-    /// The path from a place to its nearest source of an answer. Where faces have different costs, no path is known to be exact:
-    /// all but the descent are refracted there.
+    /// The path from a place to its nearest source of an answer. Where all its distances are exact, a straightened path is the shortest one.
+    /// Where faces have different costs, no path is known to be exact: all but the descent are refracted there.
     ///
     /// # Errors
     /// As [`descend`]; for [`PathKind::Exact`] as [`exact::shortest_path`].
@@ -24,6 +24,10 @@ impl DistanceSolver {
         match (kind, self.several_costs()) {
             (PathKind::Descent, _) => descent(),
             (PathKind::Straightened | PathKind::Exact, Some(costs)) => refract(surface, costs, &descent()?),
+            (PathKind::Straightened | PathKind::Exact, None) if answer.is_exact() => {
+                let distances = self.place_distances(answer)?.expect("all distances are exact");
+                shortest(&distances, from)
+            }
             (PathKind::Straightened, None) => straighten(surface, &descent()?),
             (PathKind::Exact, None) => exact::shortest_path(self.exact_geometry(), from, &answer.sources),
         }
