@@ -248,7 +248,7 @@ test('a solver that refinement ends for want of memory restarts, and the mesh is
   await heatwalk.openFile('fine.off', FINE, 's=0&w=2000&method=exact&windows=2');
   const alert = page.getByRole('alert');
   await expect(alert).toContainText(
-    /^Refinement needed more memory than the browser gives; distances were exact below [\d.]+ units\. The solver was restarted/,
+    /^Refinement needed more memory than the browser gives; distances were exact below [\d.]+ m \(assumed\)\. The solver was restarted/,
   );
   await heatwalk.settled();
   expect(await heatwalk.refining()).toBe('memory');

@@ -88,7 +88,7 @@ test('a line, a boundary and a list are entries of the list, with undo, and the 
   await expect(corner).toHaveCount(0);
   await paste(heatwalk, `x y z offset\n0.5 0.25 7 0\n${5 / N} ${7 / N} 0 0.125`);
   await expect(rows(heatwalk)).toHaveText([/^Line/, /^Boundary/, 'List: 2']);
-  await expect(page.getByText('2 sources added, at most 7 m away')).toBeVisible();
+  await expect(page.getByText('2 sources added, at most 7 m (assumed) away')).toBeVisible();
   await heatwalk.settled();
   expect(await heatwalk.distanceAt(at(12, 6))).toBe(0);
   expect(await heatwalk.distanceAt(at(5, 7))).toBeCloseTo(0.125, 5);
@@ -182,7 +182,7 @@ test('a stroke is drawn by hand and closed where it began; a part by a click; a 
   await expect(rows(heatwalk)).toHaveText([`Vertex ${at(3, 4).vertex}`]);
   await field.fill('0.3 0.3 1');
   await field.press('Enter');
-  await expect(page.getByText('Added, 1 m away from there.')).toBeVisible();
+  await expect(page.getByText('Added, 1 m (assumed) away from there.')).toBeVisible();
   await expect(rows(heatwalk)).toHaveCount(2);
 
   await page.locator('.stage').focus();

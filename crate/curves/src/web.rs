@@ -140,8 +140,26 @@ impl Curves {
     }
 }
 
+/// What lengths in a file are told in.
+#[derive(Clone, Copy)]
+#[wasm_bindgen]
+pub struct FileUnit {
+    scale: f64,
+    unit: Option<Unit>,
+}
+
+#[wasm_bindgen]
+impl FileUnit {
+    /// `scale`: by what lengths are multiplied for it; its symbol may be empty.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new(scale: f64, symbol: &str) -> Self {
+        Self { scale, unit: unit_of(symbol) }
+    }
+}
+
 /// A file of distances, one a vertex: "csv", "npy", "ply" or "glb", or "weights.ply" with vertex colors. `positions` are `#V × 3`,
-/// `triangles` `#F × 3`. All lengths are multiplied by `scale`, and then in the unit of this symbol, which may be empty.
+/// `triangles` `#F × 3`. All lengths are told in this unit.
 ///
 /// # Errors
 /// For another kind of file.
@@ -151,12 +169,11 @@ pub fn distance_file(
     positions: &[f64],
     triangles: &[u32],
     distances: &[f64],
-    scale: f64,
-    unit: &str,
+    unit: FileUnit,
 ) -> Result<Vec<u8>> {
     let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
     let soup = Soup::single("surface", positions, triangles.as_chunks().0.to_vec());
-    distances_in(kind, soup.into(), distances, scale, unit)
+    distances_in(kind, soup.into(), distances, unit)
 }
 
 /// The same of some parts of a mesh file, with its materials where the kind of file has these. `resource` gives the bytes of files
@@ -172,12 +189,11 @@ pub fn distance_file_of(
     #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
     parts: &[u32],
     distances: &[f64],
-    scale: f64,
-    unit: &str,
+    unit: FileUnit,
 ) -> Result<Vec<u8>> {
     let file = io::read(name, bytes, &resources(resource))?;
     let parts: Vec<usize> = parts.iter().map(|&part| part as usize).collect();
-    distances_in(kind, file.chosen(&parts)?, distances, scale, unit)
+    distances_in(kind, file.chosen(&parts)?, distances, unit)
 }
 
 /// The unit of a symbol; none of the empty one.
@@ -185,11 +201,11 @@ fn unit_of(symbol: &str) -> Option<Unit> {
     Unit::ALL.into_iter().find(|unit| unit.symbol() == symbol)
 }
 
-fn distances_in(kind: &str, mut model: Model, distances: &[f64], scale: f64, unit: &str) -> Result<Vec<u8>> {
+fn distances_in(kind: &str, mut model: Model, distances: &[f64], unit: FileUnit) -> Result<Vec<u8>> {
     if model.soup.positions.len() != distances.len() {
         return Err(Failure::misuse("there is not one distance for each vertex of the file"));
     }
-    let unit = unit_of(unit);
+    let FileUnit { scale, unit } = unit;
     let distances: Vec<f64> = distances.iter().map(|distance| scale * distance).collect();
     let distances = distances.as_slice();
     model.soup.positions.iter_mut().for_each(|position| *position *= scale);

@@ -64,6 +64,7 @@ export async function distanceFile(
   { from }: ShownAs,
 ): Promise<Bytes> {
   const module = await loaded();
+  const unit = new module.FileUnit(scale, symbol);
   const vertices = solver.vertices_of_inputs();
   const values = solver.distances();
   // NONE is an index of no value.
@@ -77,10 +78,10 @@ export async function distanceFile(
       mesh,
       files,
       (resource) =>
-        module.distance_file_of(kind, fileName(mesh), bytes, resource, from.parts, distances, scale, symbol) as Bytes,
+        module.distance_file_of(kind, fileName(mesh), bytes, resource, from.parts, distances, unit) as Bytes,
     );
   }
-  return module.distance_file(kind, ...ofInputs(solver, vertices), distances, scale, symbol) as Bytes;
+  return module.distance_file(kind, ...ofInputs(solver, vertices), distances, unit) as Bytes;
 }
 
 /** Positions of the vertices of the input, 0 of those that no triangle uses, and triangles. */
