@@ -61,6 +61,13 @@ function pathKindOf({ pathKind, quick }: Question, weighted: boolean): PathKind 
   return pathKind === 'exact' ? 'straight' : pathKind;
 }
 
+/** A straightened path is the shortest one where all distances are exact. */
+function named(answer: Answer): Answer {
+  const { field, pathKind, question } = answer;
+  const isExact = pathKind === 'straight' && field?.exactBelow === Infinity && !isWeighted(question.ground);
+  return isExact && !field.inner ? { ...answer, pathKind: 'exact' } : answer;
+}
+
 /** Whether a question only moves the sources of another while the pointer drags: the worker is ready for it. */
 function isMove(from: Question, to: Question): boolean {
   return (
@@ -209,7 +216,7 @@ export class Engine {
       const request = pathKind === 'exact' ? null : requestOf(question, pathKind);
       const { field, path, pathMs } = await this.#api.refine(request);
       this.#held = { question, field };
-      return request ? { ...answer, field, path, pathMs } : { ...answer, field };
+      return request ? named({ ...answer, field, path, pathMs }) : { ...answer, field };
     });
   }
 
@@ -317,10 +324,11 @@ export class Engine {
       isSameField(held.question, question) &&
       !(question.method === 'propagation' && held.field.refineMs > 0)
     ) {
-      return { ...about, posed: null, field: held.field, ...(await this.#path(requestOf(question, about.pathKind))) };
+      const path = await this.#path(requestOf(question, about.pathKind));
+      return named({ ...about, posed: null, field: held.field, ...path });
     }
     const [posed, , answer] = await Promise.all([posing, laying, this.#solve(question)]);
-    return answer && { ...answer, posed };
+    return answer && named({ ...answer, posed });
   }
 
   #about(question: Question): Known {

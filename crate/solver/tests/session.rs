@@ -5,11 +5,12 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::sync::Arc;
 
+use crate::common::truth::Random;
 use crate::common::{nearest, soup, surface};
 use glam::DVec3;
 use heatwalk::exact::shortest_path;
 use heatwalk::{
-    Answer, BridgeRule, Bridges, Costs, DistanceOptions, DistanceSolver, Error, FaceId, Method, PathKind,
+    Answer, BridgeRule, Bridges, Costs, DistanceOptions, DistanceSolver, Element, Error, FaceId, Method, PathKind,
     RelativeError, Solution, Source, Surface, VertexId, Walls, go_on,
 };
 use heatwalk_shapes as shapes;
@@ -159,6 +160,26 @@ fn paths_of_an_answer_are_the_shorter_the_more_is_asked_for() {
     let refracted = cost(&mut solver, PathKind::Exact);
     assert_eq!(refracted, cost(&mut solver, PathKind::Straightened));
     assert!(refracted <= cost(&mut solver, PathKind::Descent) * (1.0 + ROUNDING));
+}
+
+#[test]
+fn on_every_shape_paths_are_as_long_as_exact_distances() {
+    let mut random = Random::new(11);
+    for &name in shapes::names() {
+        let surface = Arc::new(Surface::build(&shapes::by_name(name).expect("a shape").soup).expect("a surface"));
+        let mut solver = DistanceSolver::new(Arc::clone(&surface));
+        solver.join(&surface, BridgeRule::Automatic, 0).expect("its own surface");
+        let source = VertexId::from_index(random.below(surface.vertex_count()));
+        let answer = ask(&mut solver, source, &DistanceOptions::by(Method::Exact));
+        let reached = |vertex: &VertexId| answer.distance.values[*vertex].is_finite();
+        let vertices: Vec<VertexId> = surface.vertices().filter(reached).collect();
+        for _ in 0..20 {
+            let from = vertices[random.below(vertices.len())];
+            let length = solver.path(&answer, from, PathKind::Straightened).expect("a path").length();
+            let distance = answer.distance.values[from];
+            assert!((length - distance).abs() <= 1e-9 * distance, "{name}, {from}: {length} for {distance}");
+        }
+    }
 }
 
 #[test]
