@@ -76,15 +76,17 @@ fn by_descent(
 ) -> Result<Found> {
     let start = Instant::now();
     let answer = solver.distance(&[to], options, &mut go_on)?;
-    if answer.method == Method::Exact {
-        // Values of vertices are exact, what lies between them is not.
-        return exactly(solver, from, to);
-    }
     let solve_ms = milliseconds(start);
     let start = Instant::now();
-    let kind = if arguments.straighten { PathKind::Straightened } else { PathKind::Descent };
+    let is_exact = answer.method == Method::Exact;
+    let kind = if is_exact || arguments.straighten { PathKind::Straightened } else { PathKind::Descent };
     let path = solver.path(&answer, from, kind)?;
     let length = cost(solver, &path);
+    if is_exact {
+        // Values of vertices are exact; what lies between them is not, but the path is.
+        let path_ms = milliseconds(start);
+        return Ok(Found { path, distance: length, is_interpolated: false, method: answer.method, solve_ms, path_ms });
+    }
     let interpolated = answer.distance.at(solver.surface(), from)?;
     // In the face of the source, and near it, values of corners tell nothing of what is between; the path does.
     let is_at_vertex = matches!(from.place(), Place::Vertex(_));

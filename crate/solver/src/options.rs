@@ -193,7 +193,7 @@ impl MemoryLimit {
 pub enum PathKind {
     /// Down the distance field as it is.
     Descent,
-    /// The same, made as short as it gets.
+    /// The same, made as short as it gets: the shortest there is where all distances are exact.
     #[default]
     Straightened,
     /// The shortest there is, whatever the field.
