@@ -145,7 +145,8 @@ impl Soup {
     /// # Errors
     /// [`Error::IndexOutOfRange`] where a triangle names a missing vertex.
     pub fn with_triangles(&self, name: &str, triangles: Vec<[u32; 3]>) -> Result<Self> {
-        let is_kept = self.used_by(triangles.iter().copied().enumerate())?;
+        let mut is_kept = vec![false; self.positions.len()];
+        mark(&mut is_kept, 0, &triangles)?;
         let mut other = self.over(&is_kept, triangles);
         other.end_part(name);
         Ok(other)
@@ -185,8 +186,10 @@ impl Soup {
             return Ok(self.active());
         }
         let ranges = joined(&parts);
-        let triangles = ranges.iter().cloned().flatten();
-        let is_kept = self.used_by(triangles.map(|triangle| (triangle, self.triangles[triangle])))?;
+        let mut is_kept = vec![false; self.positions.len()];
+        for range in &ranges {
+            mark(&mut is_kept, range.start, &self.triangles[range.clone()])?;
+        }
         Ok(Selection { parts, ranges, is_kept })
     }
 
@@ -210,7 +213,10 @@ impl Soup {
                 part.add(start..start + range.len());
             }
         }
-        let triangles = ranges.into_iter().flat_map(|range| &self.triangles[range]).copied().collect();
+        let mut triangles = Vec::new();
+        for range in ranges {
+            triangles.extend_from_slice(&self.triangles[range]);
+        }
         Self { parts, ..self.over(&is_kept, triangles) }
     }
 
@@ -222,19 +228,6 @@ impl Soup {
             *is_chosen.get_mut(part).ok_or(Error::NoSuchPart { part, parts })? = true;
         }
         Ok(self.parts.iter().zip(is_chosen).filter(|&(_, is_chosen)| is_chosen).map(|(part, _)| part.clone()).collect())
-    }
-
-    /// `#V`, whether numbered triangles use a vertex.
-    fn used_by(&self, triangles: impl Iterator<Item = (usize, [u32; 3])>) -> Result<Vec<bool>> {
-        let vertices = self.positions.len();
-        let mut is_used = vec![false; vertices];
-        for (triangle, corners) in triangles {
-            for vertex in corners {
-                let missing = Error::IndexOutOfRange { triangle, vertex: vertex.into(), vertices };
-                *is_used.get_mut(vertex as usize).ok_or(missing)? = true;
-            }
-        }
-        Ok(is_used)
     }
 
     /// Some of its vertices, with triangles over them that are yet numbered as all of them are; without parts.
@@ -285,6 +278,18 @@ impl Selection {
     pub fn is_kept(&self) -> &[bool] {
         &self.is_kept
     }
+}
+
+/// Marks the vertices of triangles that are numbered from `first`.
+fn mark(is_used: &mut [bool], first: usize, triangles: &[[u32; 3]]) -> Result<()> {
+    let vertices = is_used.len();
+    for (triangle, corners) in (first..).zip(triangles) {
+        for &vertex in corners {
+            let missing = Error::IndexOutOfRange { triangle, vertex: vertex.into(), vertices };
+            *is_used.get_mut(vertex as usize).ok_or(missing)? = true;
+        }
+    }
+    Ok(())
 }
 
 /// What of `0..count` is in none of some ranges, ascending.

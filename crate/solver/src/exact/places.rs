@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use heatwalk_surface::{FaceId, HalfedgeId, Path, PathPoint, Place, Source, ToPoint, ToSource, VertexData, VertexId};
+use heatwalk_surface::{FaceId, HalfedgeId, PathPoint, Place, Source, ToPoint, ToSource, VertexData, VertexId};
 
 use super::geometry::{ExactGeometry, Frame, after, before};
 use super::points::PointsInFaces;
@@ -82,57 +82,51 @@ impl<'a> PlaceDistances<'a> {
         (self.geometry, &self.sources)
     }
 
-    /// Whether a path from a place to a source is as long as its distance says, up to rounding.
-    pub(crate) fn is_shortest(&self, path: &Path) -> Result<bool> {
-        let (surface, [Some(from), Some(to)]) = (&self.geometry.surface, [path.points.first(), path.points.last()])
-        else {
-            return Ok(false);
-        };
-        let [a, b, _] = surface.corners(from.face);
-        let cost = self.geometry.frame(from.face.0)[0].length / a.distance(b);
-        let here = self.sources.iter().filter(|source| source.place() == to.location);
-        let initial = here.map(Source::initial_distance).fold(f64::INFINITY, f64::min);
-        Ok(cost * path.length() + initial <= self.at(from.location)? * (1.0 + STRAIGHT) + self.geometry.grain)
-    }
-
-    /// Points on the edges that the shortest path crosses, wherever it crosses them, and at the vertices that it turns at; none where
-    /// there is no path, and where rounding hides which way it goes.
-    pub(crate) fn crossed(&self, from: Place) -> Option<Vec<PathPoint>> {
+    /// Points on the edges that the shortest path crosses, wherever it crosses them, and at the vertices that it turns at, and how long
+    /// it may be up to rounding; none where there is no path, and where rounding hides which way it goes.
+    pub(crate) fn crossed(&self, from: Place) -> Option<(Vec<PathPoint>, f64)> {
         let mut points = Vec::new();
-        let (mut place, mut value) = (from, f64::INFINITY);
-        loop {
+        let (mut place, mut value, mut whole) = (from, f64::INFINITY, f64::INFINITY);
+        let source = loop {
             if let Place::Vertex(vertex) = place {
                 // Values fall strictly, so that each vertex is passed once.
                 if self.values[vertex] >= value {
                     return None;
                 }
                 value = self.values[vertex];
-                let is_here = |source: &Source| source.place() == place && source.initial_distance() <= value;
-                if self.sources.iter().any(is_here) {
+                let is_here = |source: &&Source| source.place() == place && source.initial_distance() <= value;
+                if let Some(source) = self.sources.iter().find(is_here) {
                     if points.is_empty() {
                         let face = self.geometry.faces_at(&self.geometry.surface, place).first()?.0;
                         points.push(self.point(place, face));
                     }
-                    return Some(points);
+                    break source;
                 }
             }
             let lines = Lines::followed(self, place)?;
             let found = lines.found.as_ref()?;
+            if points.is_empty() {
+                whole = lines.least;
+            }
             if lines.least > value * (1.0 + STRAIGHT) + self.geometry.grain {
                 return None;
             }
             lines.trace(found, &mut points);
             match found.end {
-                End::Source(_) => {
-                    // From the source itself.
-                    points.dedup_by(|next, last| next.location == last.location);
-                    return Some(points);
-                }
+                End::Source(source) => break &self.sources[source as usize],
                 End::Vertex(vertex) => place = Place::Vertex(vertex),
             }
-        }
+        };
+        // From the source itself.
+        points.dedup_by(|next, last| next.location == last.location);
+        let face = points.first()?.face;
+        let [a, b, _] = self.geometry.surface.corners(face);
+        let cost = self.geometry.frame(face.0)[0].length / a.distance(b);
+        let length = whole * (1.0 + STRAIGHT) + self.geometry.grain - source.initial_distance();
+        Some((points, length / cost))
     }
 
+    #[inline(never)]
     fn point(&self, location: Place, face: u32) -> PathPoint {
         PathPoint { position: location.position(&self.geometry.surface), location, face: FaceId(face) }
     }
@@ -203,6 +197,7 @@ impl<'a> Lines<'a> {
     }
 
     /// Sends lines from a place at this distance from the one asked for.
+    #[inline(never)]
     fn start(&mut self, place: Place, offset: f64, step: Step) {
         let geometry = self.known.geometry;
         let root = self.push(step);

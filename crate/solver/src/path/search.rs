@@ -18,9 +18,9 @@ pub fn shortest(distances: &PlaceDistances<'_>, from: impl ToPoint) -> Result<Pa
     let (geometry, sources) = distances.asked();
     let surface = geometry.surface();
     let from = from.to_point(surface)?;
-    if let Some(points) = distances.crossed(from.place()) {
+    if let Some((points, length)) = distances.crossed(from.place()) {
         let path = straighten(surface, &Path::new(surface, points))?;
-        if distances.is_shortest(&path)? {
+        if path.length() <= length {
             return Ok(path);
         }
     }
