@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use heatwalk_surface::{Selection, Soup};
+use heatwalk_surface::{Result as SurfaceResult, Selection, Soup};
 
 use crate::appearance::Appearance;
 use crate::camera::Camera;
@@ -38,7 +38,7 @@ impl Model {
     ///
     /// # Errors
     /// As [`Soup::chosen`].
-    pub fn chosen(&self, parts: &[usize]) -> Result<Self> {
+    pub fn chosen(&self, parts: &[usize]) -> SurfaceResult<Self> {
         Ok(Self { soup: self.soup.chosen(parts)?, ..self.clone() })
     }
 
@@ -46,7 +46,7 @@ impl Model {
     ///
     /// # Errors
     /// As [`Soup::select`].
-    pub fn select(&self, parts: &[usize]) -> Result<Self> {
+    pub fn select(&self, parts: &[usize]) -> SurfaceResult<Self> {
         let selection = self.soup.selection(parts)?;
         Ok(self.take(selection))
     }
@@ -61,7 +61,7 @@ impl Model {
     ///
     /// # Errors
     /// As [`Soup::with_triangles`].
-    pub fn with_triangles(&self, name: &str, triangles: Vec<[u32; 3]>) -> Result<Self> {
+    pub fn with_triangles(&self, name: &str, triangles: Vec<[u32; 3]>) -> SurfaceResult<Self> {
         let soup = self.soup.with_triangles(name, triangles)?;
         Ok(Self { cameras: self.cameras.clone(), lights: self.lights.clone(), ..soup.into() })
     }
