@@ -3,11 +3,10 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use heatwalk_surface::{Result as SurfaceResult, Selection, Soup};
+use heatwalk_surface::{Result, Selection, Soup};
 
 use crate::appearance::Appearance;
 use crate::camera::Camera;
-use crate::error::Result;
 use crate::light::Light;
 use crate::motion::{Motion, Pose};
 
@@ -38,7 +37,7 @@ impl Model {
     ///
     /// # Errors
     /// As [`Soup::chosen`].
-    pub fn chosen(&self, parts: &[usize]) -> SurfaceResult<Self> {
+    pub fn chosen(&self, parts: &[usize]) -> Result<Self> {
         Ok(Self { soup: self.soup.chosen(parts)?, ..self.clone() })
     }
 
@@ -46,7 +45,7 @@ impl Model {
     ///
     /// # Errors
     /// As [`Soup::select`].
-    pub fn select(&self, parts: &[usize]) -> SurfaceResult<Self> {
+    pub fn select(&self, parts: &[usize]) -> Result<Self> {
         let selection = self.soup.selection(parts)?;
         Ok(self.take(selection))
     }
@@ -61,7 +60,7 @@ impl Model {
     ///
     /// # Errors
     /// As [`Soup::with_triangles`].
-    pub fn with_triangles(&self, name: &str, triangles: Vec<[u32; 3]>) -> SurfaceResult<Self> {
+    pub fn with_triangles(&self, name: &str, triangles: Vec<[u32; 3]>) -> Result<Self> {
         let soup = self.soup.with_triangles(name, triangles)?;
         Ok(Self { cameras: self.cameras.clone(), lights: self.lights.clone(), ..soup.into() })
     }

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
-use heatwalk::surface::triangle;
+use heatwalk::surface::{Result, triangle};
 use heatwalk::{Surface, VertexData};
 use heatwalk_model::motion::Pose;
-use heatwalk_model::{Model, Motion, Result};
+use heatwalk_model::{Model, Motion};
 
 use crate::drawing::DrawMesh;
 use crate::transform::DrawTransform;

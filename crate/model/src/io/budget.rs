@@ -108,7 +108,7 @@ impl Budget {
     /// An empty list with room for so many items.
     ///
     /// # Errors
-    /// As [`Self::take`]; [`Error::OutOfMemory`] where the machine has not so much.
+    /// As [`Self::take`]; [`OutOfMemory`](heatwalk_surface::Error::OutOfMemory) where the machine has not so much.
     pub fn list<T>(&self, count: usize) -> Result<Vec<T>> {
         let mut list = Vec::new();
         self.reserve(&mut list, count)?;

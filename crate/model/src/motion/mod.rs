@@ -8,6 +8,7 @@ mod hierarchy;
 mod state;
 
 use glam::{DVec3, Vec3};
+use heatwalk_surface::{Error as SurfaceError, Result as SurfaceResult};
 
 use crate::error::{Error, Result};
 pub use clip::{Channel, Clip, Interpolation, Target, Track};
@@ -104,16 +105,17 @@ impl Motion {
     /// Moves any pose of its soup to that of so many seconds after the beginning of a clip, at whose end it stops.
     ///
     /// # Errors
-    /// [`Error::NoSuchClip`]; [`BadParameter`](heatwalk_surface::Error::BadParameter) for a time that is negative or not finite.
+    /// [`BadParameter`](SurfaceError::BadParameter) for a clip that there is not, and for a time that is negative or not finite.
     ///
     /// # Panics
     /// For a pose with fewer vertices than the soup.
-    pub fn apply(&self, clip: usize, seconds: f64, pose: &mut Pose) -> Result<()> {
-        let Some(clip) = self.clips.get(clip) else { return Err(self.no_clip(clip)) };
+    pub fn apply(&self, clip: usize, seconds: f64, pose: &mut Pose) -> SurfaceResult<()> {
+        let bad = |name, value: String, range| Err(SurfaceError::BadParameter { name, value, range });
+        let Some(clip) = self.clips.get(clip) else {
+            return bad("animation", clip.to_string(), "the number of one of the model, counted from 0");
+        };
         if !(seconds >= 0.0 && seconds.is_finite()) {
-            let value = seconds.to_string();
-            let range = "0 s or more, and finite";
-            return Err(heatwalk_surface::Error::BadParameter { name: "time", value, range }.into());
+            return bad("time", seconds.to_string(), "0 s or more, and finite");
         }
         let nodes = self.hierarchy.nodes();
         let mut state =
@@ -173,10 +175,5 @@ impl Motion {
             };
             is_moved || is_weighted[deformer.node] && !deformer.targets.is_empty()
         }
-    }
-
-    fn no_clip(&self, clip: usize) -> Error {
-        let names: Vec<&str> = self.clips.iter().map(|clip| clip.name.as_str()).collect();
-        Error::NoSuchClip { clip: clip.to_string(), clips: names.join(", ") }
     }
 }
