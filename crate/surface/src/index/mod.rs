@@ -7,7 +7,7 @@
 //!
 //! | question | asked by |
 //! |---|---|
-//! | what is met by a box, by a segment; which boxes have a place; which pairs are near each other | [`Tree::visit`], which goes on below a node whose box is not too far away |
+//! | what is met by a box, by a segment; which boxes have a place; which pairs are near each other | [`Tree::leaves`], which goes on below a node whose box is not too far away |
 //! | the nearest to a place, the first along a ray | [`Tree::nearest`], by the distance of a node's box, or where a ray enters it |
 //! | the `k` nearest | the same, where the bound is the distance of the last of the best `k` |
 
