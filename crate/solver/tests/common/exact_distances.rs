@@ -4,10 +4,11 @@
 #[cfg(not(target_arch = "wasm32"))]
 use std::path::{Path, PathBuf};
 
-#[cfg(not(target_arch = "wasm32"))]
-use super::meshes::{NAMES, mesh};
 use heatwalk::Soup;
+#[cfg(not(target_arch = "wasm32"))]
 use heatwalk_model::io;
+
+use super::meshes::{NAMES, mesh};
 
 /// A mesh, and what other programs say of distances on it.
 pub struct Known {
