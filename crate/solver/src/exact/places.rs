@@ -126,6 +126,7 @@ impl<'a> PlaceDistances<'a> {
         Some((points, length / cost))
     }
 
+    // Four copies would be a kilobyte of the page's module.
     #[inline(never)]
     fn point(&self, location: Place, face: u32) -> PathPoint {
         PathPoint { position: location.position(&self.geometry.surface), location, face: FaceId(face) }
@@ -197,7 +198,6 @@ impl<'a> Lines<'a> {
     }
 
     /// Sends lines from a place at this distance from the one asked for.
-    #[inline(never)]
     fn start(&mut self, place: Place, offset: f64, step: Step) {
         let geometry = self.known.geometry;
         let root = self.push(step);
