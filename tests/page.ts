@@ -1,5 +1,5 @@
 /** What the browser tests share: the page on the project's backend, files dropped on it, pictures read from it. */
-import { expect, type Page, test as base } from '@playwright/test';
+import { expect, type Locator, type Page, test as base } from '@playwright/test';
 import { PNG } from 'pngjs';
 import type { MeshPoint } from '../web/protocol';
 import { cameraAtRest } from './rest';
@@ -7,6 +7,27 @@ import { cameraAtRest } from './rest';
 export { expect };
 
 export type DroppedFile = [name: string, content: string | Buffer];
+
+/** Opens a section of the panel, and the workspace that it is in. */
+export async function openSection(page: Page, id: string): Promise<Locator> {
+  const section = page.locator(`#section-${id}`);
+  const workspace = await section.evaluate((element) => element.closest('[role=tabpanel]')?.id ?? '');
+  const tab = page.locator(`[aria-controls="${workspace}"]`);
+  if (workspace !== '' && (await tab.getAttribute('aria-selected')) === 'false') await tab.click();
+  if ((await section.getAttribute('open')) === null) await section.locator('> summary').click();
+  return section;
+}
+
+/** Expands every section, and goes through all workspaces with `look`. */
+export async function everyWorkspace(page: Page, look: (workspace: string) => Promise<void>): Promise<void> {
+  await page.evaluate(() => {
+    for (const section of document.querySelectorAll<HTMLDetailsElement>('.panel details')) section.open = true;
+  });
+  for (const tab of await page.getByRole('tab').all()) {
+    await tab.click();
+    await look((await tab.getAttribute('id')) ?? '');
+  }
+}
 
 export class HeatwalkPage {
   constructor(

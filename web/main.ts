@@ -13,10 +13,10 @@ import { Overlays } from './session/overlays';
 import { Session } from './session/session';
 import { keepForOffline } from './offline/register';
 import { FIRST_PRESET } from './state/presets';
-import { DEFAULT_FILL } from './state/inside';
 import { Scene } from './state/history';
 import { Signal } from './state/signal';
-import { draws, type Tool } from './state/tool';
+import { type Tool, WORKSPACE_OF } from './state/tool';
+import { commandsOf, cutOpen } from './ui/commands';
 import { h } from './ui/dom';
 import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
 import { BrushInput } from './ui/input/brush';
@@ -36,20 +36,10 @@ import { loadingBar } from './ui/overlay/loading';
 import { Messages } from './ui/overlay/messages';
 import { Readout } from './ui/overlay/readout';
 import { toolbar } from './ui/overlay/toolbar';
-import { styleSection } from './ui/panel/style';
-import { numbersSection } from './ui/panel/numbers';
-import { buildPanel } from './ui/panel/panel';
-import { sceneSection } from './ui/panel/scene';
-import { shareSection } from './ui/panel/share';
-import { animationSection } from './ui/panel/animation';
-import { displaySection } from './ui/panel/display';
-import { groundSection } from './ui/panel/ground';
-import { insideSection } from './ui/panel/inside';
-import { chartsSection } from './ui/panel/charts';
+import type { Panel } from './ui/panel/panel';
+import { workspacePanel } from './ui/panel/workspaces';
 import { CompareSection } from './ui/panel/compare';
 import { MeasureSection } from './ui/panel/measure';
-import { solverSection } from './ui/panel/solver';
-import { sourcesSection } from './ui/panel/sources';
 import { expose } from './ui/scripting';
 import { followTheme } from './view/theme';
 import { View } from './view/view';
@@ -72,11 +62,12 @@ const openFiles = (input: InputFiles) => void opener.files(input);
 const dialogue = fileDialogue(openFiles);
 const folders = folderDialogue(openFiles);
 const messages = new Messages(dialogue.choose);
-const ground = new GroundEditor(session);
+const tool = new Signal<Tool>('source');
+const ground = new GroundEditor(session, tool);
 const opener = new Opener(session, messages, ground);
 const address = new Address(scene, opener);
 const readout = new Readout(session);
-const tool = new Signal<Tool>('source');
+const { workspace } = address;
 
 const hint = hints(session);
 const overlays = new Overlays(session);
@@ -96,18 +87,44 @@ const frames = new Frames(session, crowd, () => {
 const cameraMoved = () => frames.cameraMoved();
 const fail = session.fail.bind(session);
 const help = () => {
-  import('./ui/help/dialog').then(({ openHelp }) => openHelp(panel, fail), fail);
+  import('./ui/help/dialog').then(({ openHelp }) => openHelp(panel?.element ?? null, fail), fail);
 };
 
-const brush = new BrushInput(session, ground);
-// One of them has the pointer.
+const search = () => {
+  import('./ui/search/search').then(({ openSearch }) => openSearch(commands, opener, panel), fail);
+};
+const menu = (beside: HTMLButtonElement) => {
+  const options = {
+    opener,
+    chooseFile: dialogue.choose,
+    chooseFolder: folders.choose,
+    presets: panel && (() => panel?.show('scene')),
+  };
+  import('./ui/overlay/openmenu').then(({ openMenu }) => openMenu(beside, options), fail);
+};
+
+const brush = new BrushInput(session, ground, tool);
+// A tool and its settings are there together.
 tool.watch((chosen) => {
-  if (draws(chosen)) ground.set({ on: false });
+  const home = WORKSPACE_OF[chosen];
+  if (home) workspace.value = home;
 });
-ground.brush.watch(({ on }) => {
-  if (on && draws(tool.value)) tool.value = 'source';
+workspace.watch((open) => {
+  const home = WORKSPACE_OF[tool.value];
+  if (home && home !== open) tool.value = 'source';
 });
 new PointerInput({ session, readout, tool, brush, measure, draw, cameraMoved }).listen();
+const commands = commandsOf({
+  session,
+  opener,
+  ground,
+  tool,
+  chooseFile: dialogue.choose,
+  chooseFolder: folders.choose,
+  help,
+  search,
+  cameraMoved,
+});
 const keys = new Keys({
   session,
   readout,
@@ -115,20 +132,18 @@ const keys = new Keys({
   ground,
   measure,
   draw,
+  commands,
   cameraMoved,
-  chooseFile: dialogue.choose,
-  help,
-  fill: () => void opener.fill(DEFAULT_FILL),
   closeMessage: () => messages.closeNewest(),
 });
 
 followPaste(opener);
 followLaunches(openFiles);
 
-const bar = toolbar(session, tool);
+const bar = toolbar(session, tool, workspace, () => cutOpen(session, opener));
 page.append(
   comparing.layer,
-  heading(session, help),
+  heading(session, { open: menu, search, share: address.kiosk ? null : () => panel?.show('share'), help }),
   h('section', { class: 'foot', 'aria-label': t('Tools') }, hint.element, bar),
   messages.element,
   loadingBar(session),
@@ -144,38 +159,23 @@ page.append(
 );
 /** The first picture is there, or cannot be. */
 const first = Promise.withResolvers<void>();
-let panel: HTMLElement | null = null;
+let panel: Panel | null = null;
 if (!address.kiosk) {
-  const sections = [
-    {
-      id: 'scene',
-      title: t('Scene'),
-      element: sceneSection(session, opener, dialogue.choose, folders.choose, first.promise),
-      open: true,
-    },
-    { id: 'animation', title: t('Animation'), element: animationSection(session), open: true, hidden: true as const },
-    { id: 'sources', title: t('Sources'), element: sourcesSection(session, tool, first.promise), open: true },
-    { id: 'measure', title: t('Measure'), element: measuring.element, open: false },
-    { id: 'ground', title: t('Ground'), element: groundSection(session, ground), open: false },
-    { id: 'inside', title: t('Inside'), element: insideSection(session, opener), open: false },
-    { id: 'solver', title: t('Solver'), element: solverSection(session), open: false },
-    { id: 'compare', title: t('Compare'), element: () => comparing.element(), open: false },
-    { id: 'style', formerId: 'look', title: t('Style'), element: styleSection(session), open: true },
-    { id: 'display', formerId: 'show', title: t('Display'), element: displaySection(session), open: false },
-    { id: 'charts', title: t('Charts'), element: chartsSection(session, measuring.measured), open: false },
-    { id: 'numbers', title: t('Numbers'), element: numbersSection(session), open: false },
-    {
-      id: 'export',
-      title: t('Curves and data'),
-      element: () => import('./ui/panel/export').then(({ exportSection }) => exportSection(session)),
-      open: false,
-    },
-    { id: 'share', title: t('Share and export'), element: shareSection(session, () => address.link()), open: false },
-  ];
-  panel = buildPanel(sections);
-  page.append(panel);
+  const parts = {
+    session,
+    opener,
+    ground,
+    tool,
+    measuring,
+    comparing,
+    chooseFile: dialogue.choose,
+    chooseFolder: folders.choose,
+    link: () => address.link(),
+  };
+  panel = workspacePanel(parts, workspace, first.promise);
+  page.append(panel.element);
 }
-followInsets(view, bar, panel);
+followInsets(view, bar, panel?.element ?? null);
 overlays.follow();
 session.turntable.watch((turns, turned) => {
   if (turned && !turns) frames.cameraMoved();

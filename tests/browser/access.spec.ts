@@ -1,6 +1,6 @@
 /** What axe, a checker of accessibility, finds: nothing. */
 import { violations } from '../axe';
-import { expect, test } from '../page';
+import { everyWorkspace, expect, openSection, test } from '../page';
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`axe finds nothing, ${colorScheme}`, async ({ heatwalk, page }) => {
@@ -8,17 +8,24 @@ for (const colorScheme of ['light', 'dark'] as const) {
     await heatwalk.open('#v=1&m=hemisphere&tape=10,200,400!&vs=b:dirichlet,at:0.4');
     await heatwalk.settled();
     expect(await violations(page)).toEqual([]);
-    await page.evaluate(() => {
-      for (const section of document.querySelectorAll<HTMLDetailsElement>('.panel details')) section.open = true;
-    });
     // Fetched when they are seen first.
-    await page.locator('#section-charts').scrollIntoViewIfNeeded();
+    await (await openSection(page, 'charts')).scrollIntoViewIfNeeded();
     await expect(page.locator('#section-charts svg').first()).toBeVisible();
-    await page.locator('#section-compare').scrollIntoViewIfNeeded();
+    await (await openSection(page, 'compare')).scrollIntoViewIfNeeded();
     await expect(page.getByRole('button', { name: 'Swap sides' })).toBeVisible();
-    await page.locator('#section-export').scrollIntoViewIfNeeded();
+    await openSection(page, 'export');
     await expect(page.getByLabel('Isolines at')).toBeVisible();
+    await everyWorkspace(page, async (workspace) =>
+      expect([workspace, await violations(page)]).toEqual([workspace, []]),
+    );
+    await page.keyboard.press('Control+k');
+    await page.getByRole('combobox', { name: 'Search settings and commands' }).fill('e');
     expect(await violations(page)).toEqual([]);
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', { name: 'Open', exact: true }).first().click();
+    await expect(page.getByRole('dialog', { name: 'Open' })).toBeVisible();
+    expect(await violations(page)).toEqual([]);
+    await page.keyboard.press('Escape');
     await page.getByRole('button', { name: 'Help', exact: true }).click();
     await page.getByLabel('Explain every setting').check();
     expect(await violations(page)).toEqual([]);

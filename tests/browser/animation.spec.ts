@@ -1,7 +1,7 @@
 /** Files that move: poses, what rides along, and distance measured in them. */
 import { ARM, ARM_LENGTH, armGlb } from '../animated';
 import { glb, sphere } from '../fixtures';
-import { difference, expect, type HeatwalkPage, test } from '../page';
+import { difference, expect, type HeatwalkPage, openSection, test } from '../page';
 
 const LINK = 'p=0&s=0&w=1&method=auto';
 
@@ -165,7 +165,7 @@ test('parts that are not walked on move as well, and so does a crowd', async ({ 
 
 test('the cameras of a file are gone to', async ({ heatwalk, page }) => {
   await openArm(heatwalk, 'show=scenery');
-  await page.locator('#section-display > summary').click();
+  await openSection(page, 'display');
   const cameras = page.getByRole('combobox', { name: 'Cameras of the file' });
   await cameras.selectOption('from the side');
   const [yaw, pitch, distance, ...offset] = (await page.evaluate(() => window.heatwalk.camera)) ?? [];

@@ -1,6 +1,6 @@
 /** Components that touch, nearly touch or stay apart. */
 import { obj, sphere } from '../fixtures';
-import { difference, expect, test } from '../page';
+import { difference, expect, openSection, test } from '../page';
 
 /** A ball of radius 1 at the height of 0, and one beside it that begins `gap` after the first ends. */
 function balls(gap: number): string {
@@ -28,7 +28,7 @@ test('stripes and the path run over parts that pierce each other, and not where 
   // From the far ball: straight through the air it is more than 1.
   expect(joined.walker?.length ?? 0).toBeGreaterThan(1);
 
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await page.getByRole('combobox', { name: 'Join components' }).selectOption('None');
   await expect.poll(() => page.evaluate(unreached)).toBeGreaterThan(100);
   await expect(page).toHaveURL(/bridge=off/);
@@ -68,7 +68,7 @@ test('what is apart is linked group by group, nearest first, by a link of the pa
   await expect(page).toHaveURL(/links=2/);
   await expect.poll(() => page.evaluate(unreached)).toBeLessThan(apart ?? 0);
   expect(await page.evaluate(unreached)).toBeGreaterThan(0);
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await expect(page.getByText('2 links over gaps of up to 0.4 m (assumed); 2 groups.')).toBeVisible();
 
   await linkNearest.click();
@@ -118,7 +118,7 @@ test('contacts are marked where there are any', async ({ heatwalk, page }) => {
   // From the side: the circle where they meet is in sight.
   await heatwalk.openFile('balls.obj', balls(-0.4), 's=0&method=auto&show=edges&cam=1.6,0.2,3,0,0,0');
   await heatwalk.settled();
-  await page.locator('#section-display > summary').click();
+  await openSection(page, 'display');
   await expect(contacts).toBeEnabled();
   const without = await heatwalk.drawing(1, false);
   await contacts.check();

@@ -1,14 +1,13 @@
 import { readFile } from 'node:fs/promises';
 import type { Locator, Page } from '@playwright/test';
 import { grid, off, sphere } from '../fixtures';
-import { expect, test } from '../page';
+import { expect, openSection, test } from '../page';
 
 const N = 24;
 const CORNER = (N + 1) ** 2 - 1;
 
 async function chartsOf(page: Page): Promise<Locator> {
-  const charts = page.locator('#section-charts');
-  await charts.locator('summary').click();
+  const charts = await openSection(page, 'charts');
   return charts;
 }
 

@@ -1,7 +1,7 @@
 /** Two settings side by side. */
 import type { PNG } from 'pngjs';
 import { grid, off } from '../fixtures';
-import { expect, type HeatwalkPage, test } from '../page';
+import { expect, type HeatwalkPage, openSection, test } from '../page';
 import { cubesMsh, cubeVertex } from '../tetrahedra';
 
 /** A sheet, whose boundary makes Neumann and Dirichlet differ. */
@@ -34,7 +34,7 @@ const drawn = (heatwalk: HeatwalkPage) => heatwalk.drawing(1, true);
 test('two settings share a picture; the line between them moves, and is in the link', async ({ heatwalk, page }) => {
   await heatwalk.openFile('sheet.off', SHEET, `${SCENE}&b=dirichlet`);
   const dirichlet = await drawn(heatwalk);
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await page.getByRole('combobox', { name: 'Boundary' }).selectOption('neumann');
   await heatwalk.settled();
   const neumann = await drawn(heatwalk);
@@ -48,8 +48,7 @@ test('two settings share a picture; the line between them moves, and is in the l
   await page.getByRole('button', { name: 'Redo' }).click();
   await heatwalk.settled();
 
-  await page.locator('#section-compare > summary').click();
-  const section = page.locator('#section-compare');
+  const section = await openSection(page, 'compare');
   await section.getByRole('button', { name: 'Neumann and Dirichlet' }).click();
   await expect(section.locator('thead')).toHaveText('Insulated (Neumann)Cold (Dirichlet)');
   await expect.poll(() => page.url()).toContain('&vs=b:dirichlet,at:0.5');
@@ -114,8 +113,7 @@ test('two settings inside of tetrahedra share boundary and cut', async ({ heatwa
   const mesh = cubesMsh(n, (i, j) => j !== 1 || i === 0 || i === n - 1);
   const scene = `up=y&cam=0,0,3.2,0,0,0&s=${cubeVertex(n, 4, 0, 4).vertex}&w=none&cut=plane&method=heat&near=0&refine=0`;
   await heatwalk.openFile('walled.msh', mesh, `${scene}&b=neumann&vs=b:dirichlet,at:0.5`);
-  const section = page.locator('#section-compare');
-  await page.locator('#section-compare > summary').click();
+  const section = await openSection(page, 'compare');
   await expect(section.locator('thead')).toHaveText('Insulated (Neumann)Cold (Dirichlet)');
   await expect(section.getByRole('button', { name: 'Heat and exact' })).toBeHidden();
   for (const name of ['Mean difference', 'Largest difference']) {

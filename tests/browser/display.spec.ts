@@ -3,19 +3,13 @@ import fs from 'node:fs';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { obj, sphere } from '../fixtures';
-import { expect, type HeatwalkPage, test } from '../page';
+import { expect, type HeatwalkPage, openSection, test } from '../page';
 
 test.use({ deviceScaleFactor: 1 });
 
-async function expand(heatwalk: HeatwalkPage, title: string): Promise<void> {
-  const section = heatwalk.page.locator('details', { has: heatwalk.page.locator('summary', { hasText: title }) });
-  if (!(await section.evaluate((details: HTMLDetailsElement) => details.open)))
-    await section.locator('summary').click();
-}
-
 test('overlays are switched on and off, and one gradient replaces the other', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=hemisphere');
-  await expand(heatwalk, 'Display');
+  await openSection(page, 'display');
   await page.getByLabel('Mesh edges').check();
   await page.getByLabel('Heat gradient').check();
   await page.getByLabel('Distance gradient').check();
@@ -56,11 +50,11 @@ test('an inactive part is hidden and shown again, and the link stores it', async
 
 test('the error is shown once it is known', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny&refine=0');
-  await expand(heatwalk, 'Display');
+  await openSection(page, 'display');
   await page.getByLabel('Color by').selectOption('error before refinement');
   await expect(page.getByText('The error is known once all distances are exact.')).toBeVisible();
   await heatwalk.open('#v=1&m=bunny&paint=error');
-  await expand(heatwalk, 'Display');
+  await openSection(page, 'display');
   await heatwalk.settled();
   await expect(page.getByText(/Relative error: mean [\d.]+ %/)).toBeVisible();
 });
@@ -100,7 +94,7 @@ test('the turntable rotates the model until it is stopped', async ({ heatwalk, p
 test('an image of twice the size of the window is saved', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny');
   await heatwalk.settled();
-  await expand(heatwalk, 'Share');
+  await openSection(page, 'share');
   const saving = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Save image' }).click();
   const download = await saving;
@@ -172,7 +166,7 @@ for (const [subject, tag] of [
     const { walker } = await heatwalk.scene();
     if (!walker) throw new Error('nobody walks');
     const start = await heatwalk.pixelOf(walker);
-    await expand(heatwalk, 'Share');
+    await openSection(page, 'share');
     await page.getByLabel('Video').selectOption(subject);
     const saving = page.waitForEvent('download', { timeout: 60_000 });
     await page.getByRole('button', { name: 'Save video' }).click();
@@ -199,7 +193,7 @@ test('labels of tapes are in videos', { tag: ['@page', '@slow'] }, async ({ heat
   const box = await label.boundingBox();
   if (!box) throw new Error('the tape has no label');
   const still = await heatwalk.picture();
-  await expand(heatwalk, 'Share');
+  await openSection(page, 'share');
   await page.getByLabel('Video').selectOption('The walk');
   const saving = page.waitForEvent('download', { timeout: 60_000 });
   await page.getByRole('button', { name: 'Save video' }).click();

@@ -1,6 +1,6 @@
 import { grid, off, sphere } from '../fixtures';
 import type { MeshPoint } from '../../web/protocol';
-import { expect, type HeatwalkPage, test } from '../page';
+import { expect, type HeatwalkPage, openSection, test } from '../page';
 
 const N = 24;
 const GRID = off(grid(N));
@@ -41,7 +41,7 @@ test('on a flat grid every distance is refined to that of the plane', async ({ h
   expect(error.max).toBeGreaterThan(error.mean);
   // Next to the source heat alone is off by 15 to 20 %.
   expect(error.max).toBeLessThan(0.5);
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await expect(page.locator('#section-solver').getByRole('status')).toHaveText(
     /^Exact\. Error of the heat method: mean [\d.]+ %, maximum [\d.]+ %\.$/,
   );
@@ -59,7 +59,7 @@ test('distances in faces are exact once all is, also under the pointer', async (
   await expect(readout).toHaveText(/^≈ /);
   expect(await exactAt(place)).toBeNull();
 
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await page.getByRole('switch', { name: 'Refine to exact' }).check();
   await expect.poll(() => heatwalk.refining()).toBe('exact');
   const corners = grid(N).triangles[place.face].map((vertex) => grid(N).positions[vertex]);
@@ -84,7 +84,7 @@ test('refinement can be switched off and on', async ({ heatwalk, page }) => {
   expect(instant).toBeLessThan(0.1);
 
   const solves = await heatwalk.solves();
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await page.getByRole('switch', { name: 'Refine to exact' }).check();
   await heatwalk.settled();
   expect((await heatwalk.field()).refineMs).toBeGreaterThan(0);

@@ -3,7 +3,7 @@ import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { complaints } from '../gltf';
-import { expect, test } from '../page';
+import { expect, openSection, test } from '../page';
 import { texturedGlb } from '../textured';
 
 async function saved(page: Page, button: string): Promise<{ name: string; bytes: Buffer }> {
@@ -24,8 +24,7 @@ test('isolines are drawn, measured and saved, and distances with the materials o
   const { page } = heatwalk;
   await heatwalk.open('#m=torus&show=scenery,isolines');
   await heatwalk.settled();
-  const section = page.locator('#section-export');
-  await section.locator('summary').click();
+  const section = await openSection(page, 'export');
   await section.scrollIntoViewIfNeeded();
 
   await page.getByLabel('Isolines at').fill('0.5, 1');
@@ -93,8 +92,7 @@ test('tracks of the crowd lead down to a source', async ({ heatwalk, page }) => 
   await heatwalk.open('#m=torus&method=exact&crowd=20');
   await heatwalk.settled();
   await page.keyboard.press('p');
-  const section = page.locator('#section-export');
-  await section.locator('summary').click();
+  await openSection(page, 'export');
   const { name, bytes } = await saved(page, 'Save tracks');
   expect(name).toBe('torus.tracks.csv');
   const rows = bytes
@@ -129,8 +127,7 @@ test('numpy, trimesh and ezdxf read what is saved', async ({ heatwalk, page }, i
   test.skip(python === '', 'HEATWALK_PYTHON names no Python with them');
   await heatwalk.open('#m=torus&iso=0.5,1,1.5');
   await heatwalk.settled();
-  const section = page.locator('#section-export');
-  await section.locator('summary').click();
+  const section = await openSection(page, 'export');
   const folder = info.outputPath('saved');
   await mkdir(folder);
   const save = async (list: string, kinds: readonly string[], button: string) => {

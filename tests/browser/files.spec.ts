@@ -4,7 +4,7 @@ import { dirname, join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { strToU8, zipSync } from 'fflate';
 import { gltf, obj, off, sphere } from '../fixtures';
-import { expect, test } from '../page';
+import { expect, openSection, test } from '../page';
 
 const BALL = sphere(8);
 const TRIANGLES = BALL.triangles.length;
@@ -120,7 +120,7 @@ test('a 3MF file is a mesh, though it is an archive, and tells its unit', async 
   await heatwalk.dropAndOpen([['ball.3mf', Buffer.from(zipSync({ '3D/3dmodel.model': strToU8(model) }))]]);
   expect((await heatwalk.mesh()).triangles).toBe(TRIANGLES);
   expect((await heatwalk.mesh()).parts).toEqual(['ball']);
-  await page.locator('#section-numbers > summary').click();
+  await openSection(page, 'numbers');
   await expect(page.locator('.numbers')).toContainText(/Diameter[\d.]+ in/);
 });
 
@@ -131,7 +131,7 @@ test('where no format says a unit, the size suggests one, which is corrected, co
   await heatwalk.open();
   const large = { ...BALL, positions: BALL.positions.map((point) => point.map((along) => 50 * along)) };
   await heatwalk.dropAndOpen([['ball.off', off(large as typeof BALL)]]);
-  await page.locator('#section-numbers > summary').click();
+  await openSection(page, 'numbers');
   const numbers = page.locator('.numbers');
   await expect(numbers).toContainText(/Diameter[\d.]+ mm \(assumed\)/);
   const [diameter] = /Diameter[\d.]+/.exec((await numbers.textContent()) ?? '') ?? [];

@@ -1,7 +1,7 @@
 /** What somebody does at first with the page, from the first picture to a link that shows the same, with a picture of each step. */
 import { readFile, writeFile } from 'node:fs/promises';
 import { PNG } from 'pngjs';
-import { crossings, difference, expect, type HeatwalkPage, test } from '../page';
+import { crossings, difference, expect, type HeatwalkPage, openSection, test } from '../page';
 import { grid, off, sphere } from '../fixtures';
 
 /** Of the pixels: a picture that is the same but for noise of compilers, and one that has changed. */
@@ -65,7 +65,7 @@ test('a first visit: hints, a dropped mesh, sources, the walker, undo, a link, a
   expect(difference(two, await look('after a file that is none'))).toBeLessThan(SAME);
 
   // The link asks for the file, and shows the same once it has it.
-  await page.locator('#section-share > summary').click();
+  await openSection(page, 'share');
   await page.getByRole('button', { name: 'Copy link' }).click();
   const link = new URL(await page.evaluate(() => navigator.clipboard.readText()));
   const saving = page.waitForEvent('download');

@@ -1,5 +1,5 @@
 import { grid, off } from '../fixtures';
-import { expect, type HeatwalkPage, test } from '../page';
+import { expect, type HeatwalkPage, openSection, test } from '../page';
 
 const N = 24;
 const GRID = off(grid(N));
@@ -12,7 +12,7 @@ const SIZE = 'Size';
 async function openGrid(heatwalk: HeatwalkPage, options = 'method=auto'): Promise<void> {
   await heatwalk.openFile('grid.off', GRID, `${VIEW}&s=${SOURCE.vertex}&w=${BEHIND.vertex}&${options}`);
   await heatwalk.settled();
-  await heatwalk.page.locator('#section-ground > summary').click();
+  await openSection(heatwalk.page, 'ground');
 }
 
 async function choose(heatwalk: HeatwalkPage, material: string, tool = 'brush'): Promise<void> {
@@ -208,7 +208,7 @@ test('what a file says that its vertices cost is painted by a button', async ({ 
   await heatwalk.openFile('grid.ply', ply, `${VIEW}&s=${SOURCE.vertex}&method=auto`);
   await heatwalk.settled();
   expect(await heatwalk.distanceAt(BEHIND)).toBeCloseTo(18 / N, 5);
-  await page.locator('#section-ground > summary').click();
+  await openSection(page, 'ground');
   await page.getByRole('button', { name: 'Costs of the file (weight)' }).click();
   await heatwalk.settled();
   expect(await heatwalk.distanceAt(BEHIND)).toBeCloseTo((4 * 18) / N, 4);

@@ -1,5 +1,5 @@
 /** Help where it is needed: keys and gestures, a line on every setting, the documents, the first hints. */
-import { expect, test } from '../page';
+import { expect, openSection, test } from '../page';
 
 test('help tells what the keys do, explains every setting, and leads to documents with a search', async ({
   heatwalk,
@@ -16,17 +16,20 @@ test('help tells what the keys do, explains every setting, and leads to document
 
   // Every setting has its line, also those that are not to be seen now, or are fetched when their section is expanded.
   const unexplained = () =>
-    page.evaluate(() => {
-      for (const section of document.querySelectorAll<HTMLDetailsElement>('.panel details')) section.open = true;
-      return [...document.querySelectorAll('.panel .field')]
+    page.evaluate(() =>
+      [...document.querySelectorAll('.panel .field')]
         .filter((field) => !field.nextElementSibling?.classList.contains('explanation'))
-        .map((field) => `${field.closest('[id^=section-]')?.id}: ${field.querySelector('span')?.textContent}`);
-    });
-  await unexplained();
-  await page.locator('#section-export').scrollIntoViewIfNeeded();
+        .map((field) => `${field.closest('[id^=section-]')?.id}: ${field.querySelector('span')?.textContent}`),
+    );
+  await openSection(page, 'export');
   await expect(page.getByLabel('Isolines at', { exact: true })).toBeVisible();
+  const compare = await openSection(page, 'compare');
+  await compare.scrollIntoViewIfNeeded();
+  await expect(compare.getByRole('button').first()).toBeVisible();
   await expect.poll(unexplained).toEqual([]);
+  await openSection(page, 'style');
   await expect(page.locator('#section-style .explanation').first()).toBeVisible();
+  await openSection(page, 'solver');
 
   const documents = page.waitForEvent('popup');
   await page.locator('#section-solver').getByRole('link', { name: 'More about Path' }).click();

@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import type { InnerPoint, MeshPoint } from '../../web/protocol';
 import { grid, off, sphere } from '../fixtures';
-import { difference, expect, type HeatwalkPage, test } from '../page';
+import { difference, expect, type HeatwalkPage, openSection, test } from '../page';
 import { cubeMsh, cubesMsh, cubeVertex } from '../tetrahedra';
 
 const N = 6;
@@ -12,7 +12,7 @@ const VIEW = 'up=y&cam=0.3,0.3,3.2,0,0,0';
 async function openCube(heatwalk: HeatwalkPage, options = 'method=auto&cut=plane'): Promise<void> {
   await heatwalk.openFile('cube.msh', CUBE, `${VIEW}&s=${CORNER.vertex}&w=${FAR.vertex}&${options}`);
   await heatwalk.settled();
-  await heatwalk.page.locator('#section-inside > summary').click();
+  await openSection(heatwalk.page, 'inside');
 }
 
 /** The corner in the middle of a triangle or beside it, clicked with a key held. */
@@ -44,7 +44,10 @@ test('a file of tetrahedra opens: distance leads through them, exact where lines
   expect((await heatwalk.field()).exactShare).toBe(1);
   expect(await heatwalk.refining()).toBe('exact');
   expect((await page.evaluate(() => window.heatwalk.walker))?.length).toBeCloseTo(Math.sqrt(3), 6);
-  await expect(page.locator('#section-ground')).toBeHidden();
+  await expect(await openSection(page, 'ground')).toHaveText('GroundInside of tetrahedra there is no ground.', {
+    useInnerText: true,
+  });
+  await openSection(page, 'inside');
   await expect(page.getByRole('button', { name: 'Fill the inside' })).toBeHidden();
 });
 
@@ -62,7 +65,7 @@ test('heat flows inside too, and takes the options of the solver', async ({ heat
   expect(await page.evaluate(() => window.heatwalk.factorNonzeros)).toBeGreaterThan(1000);
   expect((await heatwalk.field()).timeFactor).toBeCloseTo(0.5, 6);
   expect(await heatwalk.refining()).toBe('inside');
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await page.getByRole('combobox', { name: 'Boundary' }).selectOption('dirichlet');
   await heatwalk.settled();
   expect(await heatwalk.distanceAt(end)).not.toBe(byHeat);
@@ -153,7 +156,7 @@ test('what is cut away is not picked, and the cut moves by handle, keys and pane
 test('shells, whole tetrahedra and tetrahedra apart are drawn, each another picture', async ({ heatwalk, page }) => {
   // Beside the faces of tetrahedra that lie in the middle.
   await openCube(heatwalk, 'method=auto&cut=plane&place=0.1');
-  const section = page.locator('#section-inside');
+  const section = await openSection(page, 'inside');
   const pictures = [await heatwalk.drawing(0.3, false)];
   const another = () =>
     expect
@@ -184,7 +187,7 @@ test('a closed surface is filled, about where it is, and shown again', async ({ 
   await heatwalk.openFile('ball.off', off(ball), 'method=auto&s=40&w=300&tape=40,80&sets=line:100-105,component:3@9');
   await heatwalk.settled();
   const before = await heatwalk.pixelOf({ vertex: 40 });
-  await page.locator('#section-inside > summary').click();
+  await openSection(page, 'inside');
   await expect(page.locator('#section-inside')).toContainText('A closed surface can be filled');
   await page.locator('#section-inside').getByRole('slider', { name: 'Tetrahedra' }).fill('70');
   await page.getByRole('button', { name: 'Fill the inside' }).click();
@@ -275,7 +278,7 @@ test('a crowd walks inside, and all that is wanted comes with a link', async ({ 
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await expect.poll(async () => (await heatwalk.scene()).crowd).toBe(40);
   const many = await heatwalk.drawing(0.5, false);
-  await page.locator('#section-display > summary').click();
+  await openSection(page, 'display');
   await page.getByRole('slider', { name: 'Crowd' }).fill('0');
   await heatwalk.settled();
   expect(difference(many, await heatwalk.drawing(0.5, false))).toBeGreaterThan(0.002);
@@ -308,8 +311,7 @@ test('a tape leads through the inside: exact along straight lines, approximate a
 
 test('distances inside are saved, with tetrahedra that open again', async ({ heatwalk, page }) => {
   await openCube(heatwalk);
-  const section = page.locator('#section-export');
-  await section.locator('summary').click();
+  const section = await openSection(page, 'export');
   const saved = async (kind: string) => {
     await section.getByRole('combobox', { name: 'Distances' }).selectOption(kind);
     const downloading = page.waitForEvent('download');

@@ -1,8 +1,8 @@
 /** The page in French, as the browser wants it, as the address has it, and as it is chosen. */
 import { violations } from '../axe';
-import { expect, test } from '../page';
+import { everyWorkspace, expect, openSection, test } from '../page';
 
-const titles = '.panel-body > details > summary';
+const titles = '.panel-body summary';
 
 test.describe('in a browser that wants French', () => {
   test.use({ locale: 'fr-FR' });
@@ -16,7 +16,7 @@ test.describe('in a browser that wants French', () => {
     await expect(page.locator('html')).toHaveAttribute('lang', 'fr');
     await expect(page.locator(titles).first()).toHaveText('Scène');
     await expect(page.getByRole('button', { name: 'Mesurer' }).first()).toBeVisible();
-    await page.locator('#section-numbers > summary').click();
+    await openSection(page, 'numbers');
     const numbers = page.locator('#section-numbers');
     await expect(numbers).toContainText('Distance maximale');
     await expect(numbers).toContainText(/\d,\d+ unités/);
@@ -27,10 +27,9 @@ test.describe('in a browser that wants French', () => {
     await page.getByLabel('Expliquer chaque réglage').check();
     await page.keyboard.press('Escape');
     // Every setting that there is has its line in French, too.
-    await page.evaluate(() => {
-      for (const section of document.querySelectorAll<HTMLDetailsElement>('.panel details')) section.open = true;
-    });
-    for (const id of ['charts', 'compare', 'export']) await page.locator(`#section-${id}`).scrollIntoViewIfNeeded();
+    await openSection(page, 'compare');
+    await page.locator('#section-compare').scrollIntoViewIfNeeded();
+    await openSection(page, 'export');
     await expect(page.getByRole('textbox', { name: 'Isolignes à' })).toBeVisible();
     const bare = () =>
       page
@@ -41,7 +40,9 @@ test.describe('in a browser that wants French', () => {
             .map((field) => field.textContent),
         );
     await expect.poll(bare).toEqual([]);
-    expect(await violations(page)).toEqual([]);
+    await everyWorkspace(page, async (workspace) =>
+      expect([workspace, await violations(page)]).toEqual([workspace, []]),
+    );
 
     // What is refused is told in French; the scene stays.
     await heatwalk.drop([['leer.txt', 'nothing']]);
@@ -58,7 +59,7 @@ test('French is chosen in the help at once: the scene, undo, what is open and th
 }) => {
   await heatwalk.open('#m=torus&method=auto');
   await heatwalk.settled();
-  await page.locator('#section-numbers > summary').click();
+  await openSection(page, 'numbers');
   await page.getByRole('button', { name: 'Add', exact: true }).first().click();
   await page.evaluate(() => Object.assign(window, { isSamePage: true }));
   const scene = () => page.evaluate(() => JSON.stringify([window.heatwalk.scene, window.heatwalk.camera]));

@@ -2,7 +2,7 @@
 import type { PNG } from 'pngjs';
 import { glb, sphere } from '../fixtures';
 import { litGlb } from '../lit';
-import { expect, test } from '../page';
+import { expect, openSection, test } from '../page';
 
 /** Mean red and blue of the middle of a column, a share of the width from the left. */
 function column({ data, width, height }: PNG, share: number): { red: number; blue: number } {
@@ -26,7 +26,7 @@ test('the lights of a file are off until they are wanted, and in the link', asyn
   const [left, right] = await sides();
   expect(Math.abs(left.blue - right.blue)).toBeLessThan(60);
 
-  await page.locator('#section-display > summary').click();
+  await openSection(page, 'display');
   await page.getByLabel('Lights of the file').check();
   await expect(page).toHaveURL(/&lights=file/);
   const [litLeft, litRight] = await sides();

@@ -1,5 +1,5 @@
 import { grid, off, sphere } from '../fixtures';
-import { expect, test } from '../page';
+import { expect, openSection, test } from '../page';
 
 const NAME = 'grid.off';
 const CONTENT = off(grid(100));
@@ -37,7 +37,7 @@ test('a setting whose factors do not fit keeps the field, and works with conjuga
 
   await heatwalk.openFile(NAME, CONTENT, `s=3&refine=0&memory=${(needed + 0.1).toFixed(1)}`);
   const before = await heatwalk.distanceAt({ vertex: 600 });
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await page.getByRole('combobox', { name: 'Boundary' }).selectOption('average');
   await expect(message).toContainText(/factoring takes .* of memory/);
   expect(await heatwalk.distanceAt({ vertex: 600 })).toBe(before);

@@ -2,7 +2,7 @@
 import type { Page } from '@playwright/test';
 import { DEFAULT_WINDOWS } from '../../web/wasm/contract';
 import { grid, off, sphere } from '../fixtures';
-import { crossings, expect, type HeatwalkPage, test } from '../page';
+import { crossings, expect, type HeatwalkPage, openSection, test } from '../page';
 import { runInWorkers, workerThatPrints } from '../worker';
 
 /** With more triangles than propagation searches exactly at first. */
@@ -44,7 +44,7 @@ async function gate(page: Page): Promise<() => Promise<void>> {
 /** A file that is dropped with nothing factored, and the panel open at its methods. */
 async function dropped(heatwalk: HeatwalkPage): Promise<void> {
   await heatwalk.openFile('ball.off', BALL, `${PLACES}&method=auto&refine=0&memory=${MEBIBYTES}`);
-  await heatwalk.page.locator('#section-solver > summary').click();
+  await openSection(heatwalk.page, 'solver');
 }
 
 test('a dropped file shows stripes with nothing factored, and is exact at rest', async ({ heatwalk, page }) => {
@@ -64,7 +64,7 @@ test('a dropped file shows stripes with nothing factored, and is exact at rest',
   // What a screen reader is told at rest.
   const told = page.locator('.unseen', { hasText: 'Maximum distance' });
   await expect(told).toHaveText(/^Exact\. .*Maximum distance [\d.]+.* Path [\d.]+/);
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await expect(status(page)).toHaveText(/^Exact\. Error of propagation with 1 window: mean [\d.]+ %/);
   await expect(page.locator('#section-numbers dt', { hasText: 'Factor nonzeros' }).locator('+ dd')).toHaveText('–');
   const [x, y] = await heatwalk.pixelOnModel();
@@ -87,7 +87,7 @@ test('method and windows come from the link and return to it', async ({ heatwalk
   expect(await heatwalk.field()).toMatchObject({ windows: 4, refineMs: 0 });
   await expect(page).toHaveURL(/&method=propagation&windows=4/);
 
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await expect(page.getByRole('switch', { name: 'Refine to exact' })).toBeHidden();
   for (const ofHeat of ['Boundary', 'Operator', 'Linear solver'])
     await expect(page.getByLabel(ofHeat, { exact: true })).toBeHidden();
@@ -193,7 +193,7 @@ test('factors that do not fit leave the method as it was, and conjugate gradient
   await heatwalk.openFile('grid.off', off(grid(100)), 's=3&method=auto&refine=0&b=average&memory=7.2');
   expect(await factors(heatwalk)).toBe(0);
   const { maxDistance } = await heatwalk.field();
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await choose(page, 'heat');
   const alert = page.getByRole('alert');
   await expect(alert).toContainText(/factoring takes [\d.]+ MiB of memory/);
@@ -210,11 +210,11 @@ test('what only the heat method has is not asked of windows', async ({ heatwalk,
   await heatwalk.settled();
   await page.evaluate(() => window.heatwalk.picture(0.5));
   await expect(page.getByRole('alert')).toBeEmpty();
-  await page.locator('#section-display > summary').click();
+  await openSection(page, 'display');
   await expect(page.getByText('Only the heat method has heat; distance is shown.')).toBeVisible();
   await expect(page.getByLabel('Operator edges')).toBeHidden();
   await expect(page.getByLabel('Mesh edges')).toBeVisible();
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await choose(page, 'heat');
   await heatwalk.settled();
   await page.evaluate(() => window.heatwalk.picture(0.5));

@@ -1,4 +1,4 @@
-import { expect, test } from '../page';
+import { expect, openSection, test } from '../page';
 
 test.use({
   launchOptions: {
@@ -19,7 +19,7 @@ test('without a GPU the page says so and still solves', async ({ page }) => {
   expect(bunny).toBeGreaterThan(0);
   await page.getByRole('button', { name: 'Torus' }).click();
   await expect.poll(maxDistance).not.toBe(bunny);
-  await page.locator('#section-numbers summary').click();
+  await openSection(page, 'numbers');
   await expect(page.locator('#section-numbers')).toContainText('17,280');
   await expect(alert).toContainText('The scene cannot be drawn');
 });

@@ -1,4 +1,4 @@
-import { expect, type HeatwalkPage, test } from '../page';
+import { expect, type HeatwalkPage, openSection, test } from '../page';
 
 async function clickModel(heatwalk: HeatwalkPage, dx = 0, dy = 0, modifier?: string): Promise<void> {
   const pixel = await heatwalk.pixelOnModel(dx, dy);
@@ -241,7 +241,7 @@ test('the keyboard sets, adds and deletes sources at the reticle', async ({ heat
 test('the time factor slider and the boundary menu change the solution', async ({ heatwalk, page }) => {
   await heatwalk.open();
   const solves = await heatwalk.solves();
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await page.getByRole('slider', { name: 'Time factor m' }).fill('1');
   await expect.poll(async () => (await heatwalk.scene()).parameters.timeStep).toBe(10);
   await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);

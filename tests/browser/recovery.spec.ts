@@ -1,7 +1,7 @@
 /** No mesh ends the page: what cannot be opened changes nothing, and what is lost is made anew. */
 import type { Page } from '@playwright/test';
 import { grid, off, sphere } from '../fixtures';
-import { difference, expect, type HeatwalkPage, test } from '../page';
+import { difference, expect, type HeatwalkPage, openSection, test } from '../page';
 import { runInWorkers } from '../worker';
 
 const N = 24;
@@ -222,7 +222,7 @@ test('where memory does not suffice to refine on, what is exact stays', async ({
   expect(await heatwalk.refining()).toBe('memory');
   const { exactBelow, refineMs } = await heatwalk.field();
   expect(refineMs).toBeGreaterThan(0);
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await expect(page.locator('#section-solver').getByRole('status')).toHaveText(
     /^By propagation with 2 windows: exact below .* Refinement stopped because memory ran out\.$/,
   );

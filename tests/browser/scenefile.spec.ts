@@ -1,15 +1,13 @@
 /** Scenes that are saved as files and opened again. */
 import { readFile } from 'node:fs/promises';
 import { grid, off } from '../fixtures';
-import { expect, type HeatwalkPage, test } from '../page';
+import { expect, type HeatwalkPage, openSection, test } from '../page';
 
 const N = 96;
 const PLACE = { vertex: 40 + (N + 1) * 40 };
 
 async function savedScene({ page }: HeatwalkPage): Promise<{ name: string; bytes: Buffer }> {
-  const section = page.locator('#section-share');
-  if (!(await section.evaluate((details: HTMLDetailsElement) => details.open)))
-    await section.locator('summary').first().click();
+  await openSection(page, 'share');
   const downloading = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Save scene' }).click();
   const download = await downloading;

@@ -1,5 +1,5 @@
 import { grid, off } from '../fixtures';
-import { expect, type HeatwalkPage, test } from '../page';
+import { expect, type HeatwalkPage, openSection, test } from '../page';
 
 const N = 24;
 const GRID = off(grid(N));
@@ -91,7 +91,7 @@ test('every option of a link reaches the solver, changes its answer and comes ba
 
 test('every choice of the panel is solved and written to the link', async ({ heatwalk, page }) => {
   await heatwalk.openFile('grid.off', GRID, `s=${at(3, 4)},${at(20, 20)}&w=${at(20, 2)}&refine=0`);
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await page.getByText('More solver settings').click();
   for (const [label, values, key] of [
     ['Boundary', ['dirichlet', 'average'], 'b'],
@@ -111,7 +111,7 @@ test('every choice of the panel is solved and written to the link', async ({ hea
 
 test('the solver can choose the time factor and the exact region', async ({ heatwalk, page }) => {
   await heatwalk.openFile('grid.off', GRID, `s=${at(3, 4)}&refine=0`);
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   await page.getByText('More solver settings').click();
   const chosen = (await heatwalk.field()).timeFactor;
   const auto = page.getByRole('button', { name: 'Time factor m, automatic' });
@@ -135,7 +135,7 @@ test('the solver can choose the time factor and the exact region', async ({ heat
 
 test('the path is the steepest descent, straightened or exact', async ({ heatwalk, page }) => {
   await heatwalk.openFile('grid.off', GRID, `s=${at(3, 4)}&w=${at(21, 17)}&refine=0&near=0`);
-  await page.locator('#section-solver > summary').click();
+  await openSection(page, 'solver');
   const solves = await heatwalk.solves();
   const lengths: Record<string, number> = {};
   for (const kind of ['straight', 'exact', 'descent']) {

@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { grid, off } from '../fixtures';
-import { expect, type HeatwalkPage, test } from '../page';
+import { expect, type HeatwalkPage, openSection, test } from '../page';
 
 const N = 24;
 const at = (i: number, j: number) => ({ vertex: i + (N + 1) * j });
@@ -60,8 +60,7 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone, sha
   await expect.poll(async () => (await tapes(heatwalk))[0].area).toBeCloseTo(0.125, 2);
   expect(await heatwalk.solves()).toBe(solves);
 
-  const section = page.locator('#section-measure');
-  await section.locator('summary').click();
+  const section = await openSection(page, 'measure');
   await expect(section).toContainText('Area enclosed: 0.12');
   await expect(section.getByRole('row')).toHaveCount(5);
   await section.getByRole('spinbutton', { name: 'Known length of tape 1' }).fill('3.4');
@@ -115,8 +114,7 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone, sha
   await expect(page.locator('.tape-label.sum')).toContainText('Σ 3.4 cm');
 
   // Charts of the distance and of the tape, in the same scale.
-  const charts = page.locator('#section-charts');
-  await charts.locator('summary').click();
+  const charts = await openSection(page, 'charts');
   await expect(charts.getByRole('img')).toHaveCount(4);
   await expect(charts).toContainText('Along the tape (cm)');
   const chart = page.waitForEvent('download');

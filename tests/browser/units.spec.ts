@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
 import { type Mesh, off } from '../fixtures';
-import { expect, type HeatwalkPage, test } from '../page';
+import { expect, type HeatwalkPage, openSection, test } from '../page';
 
 /** Of the box, in millimeters. */
 const SIDES = [100, 60, 40] as const;
@@ -70,14 +70,6 @@ async function saved(page: Page, button: string): Promise<Buffer> {
   return readFile(await (await downloading).path());
 }
 
-/** The page remembers which sections are expanded, and loads some when they are seen. */
-async function expand(page: Page, section: string): Promise<void> {
-  await page.locator(`#section-${section}`).evaluate((details) => {
-    details.setAttribute('open', '');
-    details.lastElementChild?.scrollIntoView();
-  });
-}
-
 /** The first length in a text, in millimeters: its number and unit stand side by side. */
 function lengthIn(text: string | null, symbol: string): number {
   const [, number = 'none', unit = ''] = /([\d.]+) (units|mm|cm|in|m)\b/.exec(text ?? '') ?? [];
@@ -132,7 +124,7 @@ async function allLengths(heatwalk: HeatwalkPage, symbol: string): Promise<Recor
   const found: Record<string, number | number[]> = {};
   const shown = symbol ? MILLIMETERS[symbol] : 1;
 
-  await expand(page, 'numbers');
+  await openSection(page, 'numbers');
   const numbers = page.locator('.numbers');
   for (const name of ['Diameter', 'Maximum distance', 'Path', 'Cost of the path']) {
     const cell = numbers.locator('dt', { hasText: new RegExp(`^${name}$`) }).locator('xpath=following-sibling::dd[1]');
@@ -145,15 +137,14 @@ async function allLengths(heatwalk: HeatwalkPage, symbol: string): Promise<Recor
   const offset = page.getByRole('spinbutton', { name: `Initial distance of source 1, in ${symbol || 'units'}` });
   found['offset'] = Number(await offset.inputValue()) * shown;
 
-  await expand(page, 'measure');
+  await openSection(page, 'measure');
   const label = (await page.locator('.tape-label.leg').textContent()) ?? '';
   expect(label).toBe(`${Number((100 / shown).toPrecision(3))}${symbol && ` ${symbol}`}`);
   found['tape'] = Number(await page.getByRole('spinbutton', { name: 'Known length of tape 1' }).inputValue()) * shown;
   const tapes = columnsOf((await saved(page, 'Save CSV')).toString());
   found['tape in CSV'] = scaled([tapes['surface'][0], tapes['straight'][0], tapes['cost'][0]], shown);
 
-  await expand(page, 'export');
-  const section = page.locator('#section-export');
+  const section = await openSection(page, 'export');
   const wish = section.getByLabel(symbol ? `Isolines at (${symbol})` : 'Isolines at', { exact: true });
   found['isolines'] = scaled((await wish.inputValue()).split(',').map(Number), shown);
   await page.getByRole('button', { name: 'Measure isolines' }).click();

@@ -1,5 +1,5 @@
 import { glb, type Mesh, obj, off, sphere } from '../fixtures';
-import { expect, type HeatwalkPage, test } from '../page';
+import { expect, type HeatwalkPage, openSection, test } from '../page';
 
 /** A tower on a square base in the plane z = 0; vertex 0 is its tip. */
 const TOWER: Mesh = {
@@ -58,7 +58,7 @@ test('a link says which axis points up, and so does the panel', async ({ heatwal
   await heatwalk.openFile('tower.obj', obj({ tower: TOWER }), 'up=-z');
   expect((await heatwalk.mesh()).up).toBe('-z');
   expect(await rise(heatwalk)).toBeLessThan(0);
-  await page.locator('#section-display > summary').click();
+  await openSection(page, 'display');
   const select = page.getByRole('combobox', { name: /^Up/ });
   await expect(select).toHaveValue('-z');
   await select.selectOption('automatic (+Z)');

@@ -48,7 +48,7 @@ test('in Firefox a first visit opens, drops, clicks, drags, shares, saves, and g
 
   // Save, and copy the link.
   const press = (name: string) => page.locator(`#section-share ::-p-text(${name})`).click();
-  await page.locator('#section-share summary').click();
+  await page.locator('#tab-share').click();
   await press('Save image');
   await expect.poll(() => readdirSync(saved).filter((name) => name.endsWith('.png'))).toEqual(['icosphere.png']);
   await press('Copy link');

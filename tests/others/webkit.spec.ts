@@ -94,8 +94,11 @@ test('in WebKit a first visit drops a file, chooses one, clicks, drags, draws, s
     const make = URL.createObjectURL;
     window.given = [];
     URL.createObjectURL = (blob) => (window.given.push(blob), make.call(URL, blob));
-    for (const section of document.querySelectorAll('.panel details')) section.open = true;
+    document.getElementById('tab-share').click();
   })()`);
+  await expect
+    .poll(() => webkit.evaluate('document.querySelector(\'[title="A PNG of the view"]\') !== null'))
+    .toBe(true);
   await webkit.evaluate(`document.querySelector('[title="A PNG of the view"]').click()`);
   await expect.poll(() => webkit.evaluate('window.given.length')).toBe(1);
   expect(await webkit.evaluate('createImageBitmap(window.given[0]).then(({ width }) => width)')).toBeGreaterThan(WIDTH);

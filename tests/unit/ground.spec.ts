@@ -100,7 +100,7 @@ test('a disc covers what it touches around its middle', () => {
 
 test('a stroke paints each place once, and fades at its soft edge', () => {
   const terrain = strip(10);
-  const brush = { ...BRUSH, on: true, soft: 1 };
+  const brush = { ...BRUSH, soft: 1 };
   const stroke = new Stroke(LEVEL, 20, brush);
   const disc = { face: 8, center: [4.3, 0.3, 0] as [number, number, number], radius: 3 };
   const once = stroke.paint(LEVEL, terrain, disc);

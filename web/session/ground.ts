@@ -16,6 +16,7 @@ import { codesOfRows, codesOfVertices } from '../state/costs';
 import { type Ground, LEVEL, type WallLine, withFaces } from '../state/ground';
 import { type Vector, distance } from '../state/vector';
 import { Signal } from '../state/signal';
+import type { Tool } from '../state/tool';
 import type { PointHit } from '../view/view';
 import type { Session } from './session';
 import { t } from '../texts';
@@ -41,14 +42,19 @@ export class GroundEditor {
   /** Where the wall along edges that is being drawn has come to, as a vertex of the input; null: none is. */
   readonly lineEnd = new Signal<number | null>(null);
   readonly #session: Session;
+  readonly #tool: Signal<Tool>;
   #known: { opened: OpenedMesh; neighbors: Uint32Array } | null = null;
   #painting: Painting | null = null;
 
-  constructor(session: Session) {
+  constructor(session: Session, tool: Signal<Tool>) {
     this.#session = session;
-    this.brush.watch((brush, previous) => {
-      if (brush.on !== previous.on || brush.tool !== previous.tool) this.endLine();
+    this.#tool = tool;
+    tool.watch(() => {
+      this.endLine();
       void this.#learn();
+    });
+    this.brush.watch((brush, previous) => {
+      if (brush.tool !== previous.tool) this.endLine();
     });
     session.shown.watch((shown, previous) => {
       if (shown?.opened !== previous?.opened) this.endLine();
@@ -58,6 +64,17 @@ export class GroundEditor {
 
   set(change: Partial<Brush>): void {
     this.brush.value = { ...this.brush.value, ...change };
+  }
+
+  /** The pointer paints with what is chosen. */
+  take(change: Partial<Brush>): void {
+    this.set(change);
+    this.#tool.value = 'brush';
+  }
+
+  /** Whether the pointer paints. */
+  get isOn(): boolean {
+    return this.#tool.value === 'brush';
   }
 
   /** The radius of the brush as it is drawn. */
@@ -272,7 +289,7 @@ export class GroundEditor {
   async #learn(): Promise<void> {
     const { engine, shown } = this.#session;
     const opened = shown.value?.opened;
-    if (!this.brush.value.on || !engine || !opened || this.#known?.opened === opened) return;
+    if (!this.isOn || !engine || !opened || this.#known?.opened === opened) return;
     try {
       const neighbors = await engine.queries.neighbors();
       if (shown.value?.opened === opened) this.#known = { opened, neighbors };

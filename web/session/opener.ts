@@ -30,7 +30,7 @@ export interface Action {
 
 export interface Notifier {
   /** A mesh is shown. */
-  opened(shown: Shown, unit: LengthUnit): void;
+  opened(title: Words, shown: Shown, unit: LengthUnit): void;
   notice(text: Words): void;
   /** Tells which of the meshes that came together is shown, and offers the others. */
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void;
@@ -313,7 +313,7 @@ export class Opener {
       if (isPainted(request.state.ground) && !isPainted(this.#session.scene.state.ground)) {
         this.#notifier.notice(t('The ground of the link is of another mesh and was removed.'));
       }
-      this.#notifier.opened(shown, unitOf(this.#session.scene.state, shown.opened));
+      this.#notifier.opened(request.title, shown, unitOf(this.#session.scene.state, shown.opened));
       done(shown);
     } catch (error) {
       if (!(error instanceof Cancelled)) {

@@ -11,8 +11,6 @@ export const TOOLS = ['brush', 'fill', 'line', 'toggle'] as const;
 export type GroundTool = (typeof TOOLS)[number];
 
 export interface Brush {
-  /** Whether the pointer paints. */
-  on: boolean;
   tool: GroundTool;
   material: Material;
   /** Of the custom material. */
@@ -26,7 +24,7 @@ export interface Brush {
 /** Least and largest radius. */
 export const RADII = [0.005, 0.2] as const;
 
-export const BRUSH: Brush = { on: false, tool: 'brush', material: 'mud', cost: 8, radius: 0.04, soft: 0 };
+export const BRUSH: Brush = { tool: 'brush', material: 'mud', cost: 8, radius: 0.04, soft: 0 };
 
 /** What materials cost. */
 export const MATERIAL_COSTS = { mud: 4, sand: 2, road: 0.5, eraser: 1 } as const;

@@ -41,6 +41,7 @@ import {
   rounded,
   within,
 } from './text';
+import { isWorkspace } from './workspace';
 import { Phrase, t, type Words } from '../texts';
 
 const VERSION = '1';
@@ -98,7 +99,7 @@ const MAP_LETTERS: Codec<readonly MapName[]> = {
 };
 
 /** Keys of which mesh it is, and how the page looks. */
-export const ADDRESS_KEYS: readonly string[] = ['v', 'm', 'model', 'name', 'hash', 'kiosk'];
+export const ADDRESS_KEYS: readonly string[] = ['v', 'm', 'model', 'name', 'hash', 'kiosk', 'open'];
 
 /** Keys of what a mesh is opened with. */
 const OPENING = [
@@ -228,13 +229,17 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
     notices.push(t('This link was made by another version of the page; some of it may be ignored.'));
   }
   let state = start;
+  const refuse = (key: string, text: string) =>
+    notices.push(t`The link's ${key}=${text.slice(0, 40)} is invalid; the default is used.`);
   for (const key of KEYS) {
     const text = entries.get(key.key);
     if (text === null) continue;
     const next = read(key, text, state);
     if (next) state = next;
-    else notices.push(t`The link's ${key.key}=${text.slice(0, 40)} is invalid; the default is used.`);
+    else refuse(key.key, text);
   }
+  const open = entries.get('open');
+  if (open !== null && !isWorkspace(open)) refuse('open', open);
   const known = new Set([...ADDRESS_KEYS, ...KEYS.map(({ key }) => key)]);
   return { state, notices, unknown: [...entries.keys()].filter((key) => !known.has(key)) };
 }

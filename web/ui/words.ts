@@ -85,20 +85,28 @@ function componentsWords(components: number): Words {
   return counted(components, '{0} component', '{0} components');
 }
 
-/** What was done to the triangles of a file, in one sentence. */
-export function openingSentence(opened: OpenedMesh, factoring: Factoring, unit: LengthUnit): Words {
-  const { name, report, interior } = opened;
+/** What is opened, in the sentence that a person wants: "Dragon, 46,540 triangles, in one piece."; and what may be otherwise than it is meant. */
+export function openingSentence(title: Words, opened: OpenedMesh, factoring: Factoring, unit: LengthUnit): Words {
+  const { report, interior } = opened;
+  const pieces = piecesOf(interior?.report ?? report, factoring);
+  const what = counted(pieces, '{1}, {2}, in one piece.', '{1}, {2}, in {0} pieces.', title, sizeWords(opened));
+  if (interior) return what;
+  return sentences(what, ...joinedSentences(factoring, unit), simplifiedSentence(opened, unit));
+}
+
+/** Components, of which those that are joined are one. */
+function piecesOf({ components }: { components: number }, { contacts, links, groups }: Factoring): number {
+  return contacts + links > 0 ? groups : components;
+}
+
+/** What was done to what is opened, and what it consists of: a line each. */
+export function openingDetails({ report, interior }: OpenedMesh, factoring: Factoring, unit: LengthUnit): Words[] {
   if (interior) {
     const { components, remark } = interior.report;
-    const shape = t`${name}: ${tetrahedraWords(interior.report)}; ${componentsWords(components)}.`;
-    return sentences(shape, remark ? t`${retold(remark)}.` : null);
+    return [componentsWords(components), ...(remark ? [retold(remark)] : [])];
   }
-  const done = repairs(report, unit);
   const loops = counted(report.boundaryLoops, '{0} boundary', '{0} boundaries');
-  const shape = listed(...joints(report, factoring), loops);
-  const proxy = simplifiedSentence(opened, unit);
-  const content = done.length > 0 && !proxy ? listed(...done) : trianglesWords(report.faces);
-  return sentences(t`${name}: ${content}; ${shape}.`, ...joinedSentences(factoring, unit), proxy);
+  return [listed(...joints(report, factoring), loops), ...repairs(report, unit)];
 }
 
 /** What may be joined otherwise than the surface is meant. */

@@ -3,7 +3,6 @@ import type { Texts } from '../translate';
 
 export const PANEL: Texts = {
   '{0}: {1}': '{0} : {1}',
-  '{0}: {1}; {2}.': '{0} : {1} ; {2}.',
   'Model. Arrow keys orbit, Enter sets the source at the center.':
     'Modèle. Les flèches tournent autour, Entrée place la source au centre.',
   Tools: 'Outils',
@@ -472,4 +471,7 @@ export const PANEL: Texts = {
   'Sources: {0}': 'Sources : {0}',
   'Memory automatic': 'Mémoire automatique',
   'Memory {0} MiB': 'Mémoire {0} Mio',
+  'Inside of tetrahedra there is no ground.': 'À l’intérieur de tétraèdres, il n’y a pas de terrain.',
+  'Models of Table 1 of the report': 'Modèles du tableau 1 du rapport',
+  Look: 'Aspect',
 };

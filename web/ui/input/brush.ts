@@ -1,6 +1,8 @@
 /** The pointer as a brush. */
 import type { GroundEditor } from '../../session/ground';
 import type { Session } from '../../session/session';
+import type { Signal } from '../../state/signal';
+import type { Tool } from '../../state/tool';
 import type { PointHit } from '../../view/view';
 import type { Target } from './pick';
 
@@ -14,18 +16,18 @@ export class BrushInput {
   readonly #editor: GroundEditor;
   #last: readonly [number, number] = [0, 0];
 
-  constructor(session: Session, editor: GroundEditor) {
+  constructor(session: Session, editor: GroundEditor, tool: Signal<Tool>) {
     this.#session = session;
     this.#editor = editor;
-    editor.brush.watch(({ on }) => {
-      if (!on) this.leave();
+    tool.watch(() => {
+      if (!editor.isOn) this.leave();
     });
   }
 
   /** Whether a plain click or drag changes the ground. With a modifier or another button, the pointer does what it does without. */
   takes(event: PointerEvent, target: Target): boolean {
     const hasModifier = event.ctrlKey || event.metaKey || event.shiftKey || event.altKey;
-    return this.#editor.brush.value.on && target.kind === 'surface' && event.button === 0 && !hasModifier;
+    return this.#editor.isOn && target.kind === 'surface' && event.button === 0 && !hasModifier;
   }
 
   /** Begins a stroke where the tool paints by dragging; true if it did. */
@@ -68,7 +70,7 @@ export class BrushInput {
 
   /** Shows the brush where the pointer is. */
   hover(x: number, y: number): void {
-    if (this.#editor.brush.value.on) this.#hover(x, y);
+    if (this.#editor.isOn) this.#hover(x, y);
   }
 
   leave(): void {

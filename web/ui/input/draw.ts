@@ -153,6 +153,7 @@ export class DrawInput {
       case 'add':
       case 'walker':
       case 'measure':
+      case 'brush':
         return false;
     }
   }

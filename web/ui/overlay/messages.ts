@@ -7,7 +7,7 @@ import type { Shown } from '../../session/prepare';
 import type { LengthUnit } from '../../length';
 import { copy } from '../clipboard';
 import { h } from '../dom';
-import { absentSentence, openingSentence } from '../words';
+import { absentSentence, openingDetails, openingSentence } from '../words';
 import { t, type Words } from '../../texts';
 
 const SHOWN_MS = 8000;
@@ -30,9 +30,12 @@ export class Messages implements Notifier {
   }
 
   /** Says what was done; replaces the message about the mesh before, and the last error. */
-  opened({ opened, answer }: Shown, unit: LengthUnit): void {
+  opened(title: Words, { opened, answer }: Shown, unit: LengthUnit): void {
     for (const former of [this.#summary, this.#absent, this.#failed, this.#chosen]) former?.remove();
-    this.#summary = this.#say(this.#polite, 'summary', openingSentence(opened, answer.factoring, unit), []);
+    const sentence = openingSentence(title, opened, answer.factoring, unit);
+    this.#summary = this.#say(this.#polite, 'summary', sentence, []);
+    const lines = openingDetails(opened, answer.factoring, unit).map((line) => h('li', {}, line));
+    this.#summary.append(h('details', { class: 'more' }, h('summary', {}, t('Details')), h('ul', {}, ...lines)));
     this.#fade(this.#summary);
     const absent = absentSentence(opened);
     this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
@@ -127,10 +130,10 @@ export class Messages implements Notifier {
     return message;
   }
 
-  /** Waits while the message is under the pointer or has the focus. */
+  /** Waits while the message is under the pointer, has the focus, or shows its details. */
   #fade(message: HTMLElement): void {
     setTimeout(() => {
-      if (message.matches(':hover, :focus-within')) this.#fade(message);
+      if (message.matches(':hover, :focus-within, :has([open])')) this.#fade(message);
       else message.remove();
     }, SHOWN_MS);
   }

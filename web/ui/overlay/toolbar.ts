@@ -1,10 +1,19 @@
 import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
+import { type Workspace, WORKSPACES } from '../../state/workspace';
 import { attribute, h, icon } from '../dom';
 import { t, type Words } from '../../texts';
 
-const TOOLS: readonly { tool: Tool; name: Words; tip: Words; path: string }[] = [
+interface ToolButton {
+  tool: Tool;
+  name: Words;
+  tip: Words;
+  path: string;
+}
+
+/** Those that are always there. */
+const TOOLS: readonly ToolButton[] = [
   {
     tool: 'source',
     name: t('Source'),
@@ -31,6 +40,45 @@ const TOOLS: readonly { tool: Tool; name: Words; tip: Words; path: string }[] = 
   },
 ];
 
+/** Those of a workspace, while it is open. */
+const TOOLS_OF: Partial<Record<Workspace, readonly ToolButton[]>> = {
+  scene: [
+    {
+      tool: 'line',
+      name: t('Line'),
+      tip: t`${t('Draw a line of sources along edges')} (${'4'})`,
+      path: 'M3 16l5-7 5 3 4-8',
+    },
+    {
+      tool: 'stroke',
+      name: t('Stroke'),
+      tip: t`${t('Draw a stroke of sources')} (${'5'})`,
+      path: 'M3 14c3-9 5-9 7-4s4 5 7-4',
+    },
+    {
+      tool: 'boundary',
+      name: t('Boundary'),
+      tip: t`${t('Make a whole boundary a source')} (${'6'})`,
+      path: 'M10 4c4 0 7 2.500 7 6s-3 6-7 6-7-2.500-7-6 3-6 7-6z',
+    },
+    {
+      tool: 'part',
+      name: t('Part'),
+      tip: t`${t('Make a whole part a source')} (${'7'})`,
+      path: 'M3 8l5-4 5 4v6l-5 3-5-3zM13 8l4-2v6l-4 2',
+    },
+  ],
+  ground: [
+    {
+      tool: 'brush',
+      name: t('Brush'),
+      tip: t('The pointer paints the ground (B)'),
+      path: 'M16.500 3.500c-4 2-6.500 5-7.500 7l1.500 1.500c2-1 5-3.500 6-8.500zM8 11.500c-2 0-3 1-3 3 0 1-.5 1.500-1.500 2 3 .5 5.500-.5 6-3.500',
+    },
+  ],
+};
+const CUT = 'M3 6l7-3 7 3v8l-7 3-7-3zM3 6l14 8';
+
 const PAUSE = 'M7 4v12M13 4v12';
 const PLAY = 'M6 4l10 6-10 6z';
 const FRAME = 'M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4M10 10v.1';
@@ -38,15 +86,29 @@ const TURN = 'M16.500 10a6.500 4 0 1 1-2.500-3.100M14 3.500v3.500h-3.500';
 const UNDO = 'M8 4L4 8l4 4M4 8h8a4 4 0 0 1 0 8H8';
 const REDO = 'M12 4l4 4-4 4M16 8H8a4 4 0 0 0 0 8h4';
 
-export function toolbar(session: Session, tool: Signal<Tool>): HTMLElement {
+/** `open`: the workspace whose tools are there too. `cut`: cuts what has an inside open. */
+export function toolbar(session: Session, tool: Signal<Tool>, open: Signal<Workspace>, cut: () => void): HTMLElement {
   const { scene, view, paused } = session;
-  const tools = TOOLS.map(({ tool: which, name, tip, path }) => {
+  const toolButton = ({ tool: which, name, tip, path }: ToolButton) => {
     const choose = () => {
       tool.value = which;
     };
     const button = h('button', { class: 'tool', title: tip, onclick: choose }, icon(path), h('span', {}, name));
     tool.watch((value) => button.setAttribute('aria-pressed', String(value === which)));
     return button;
+  };
+  const tools = TOOLS.map(toolButton);
+  const tip = t`${t('Fill the surface, or cut it open')} (${'I'})`;
+  const cutting = h('button', { class: 'tool', title: tip, onclick: cut }, icon(CUT), h('span', {}, t('Cut')));
+  session.scene.subscribe(({ inside }) => cutting.setAttribute('aria-pressed', String(inside.cut !== 'none')));
+  const groups = WORKSPACES.map((workspace) => {
+    const own = (TOOLS_OF[workspace] ?? []).map(toolButton);
+    const group = h('div', { class: 'tools-of', role: 'group' }, ...own, ...(workspace === 'inside' ? [cutting] : []));
+    if (group.childElementCount === 0) return null;
+    attribute(group, 'aria-label', t('Tools of the workspace'));
+    group.classList.toggle('drawing', workspace === 'scene');
+    open.watch((value) => (group.hidden = value !== workspace));
+    return group;
   });
   const undo = plain(t('Undo'), t('Undo (ctrl + Z)'), UNDO, () => scene.undo());
   const redo = plain(t('Redo'), t('Redo (ctrl + shift + Z)'), REDO, () => scene.redo());
@@ -70,11 +132,13 @@ export function toolbar(session: Session, tool: Signal<Tool>): HTMLElement {
   const turn = plain(t('Turntable'), t('Rotate the model (T)'), TURN, () => {
     session.turntable.value = !session.turntable.value;
   });
+  turn.classList.add('turn');
   session.turntable.watch((on) => turn.setAttribute('aria-pressed', String(on)));
   return h(
     'div',
     { class: 'toolbar', role: 'toolbar', 'aria-label': t('Tools') },
     ...tools,
+    ...groups,
     rule(),
     undo,
     redo,

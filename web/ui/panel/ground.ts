@@ -5,6 +5,8 @@ import { colourOfCost, WALL_COLOURS } from '../../session/tints';
 import { type GroundTool, type Material, MATERIAL_COSTS, MATERIALS, RADII, TOOLS } from '../../state/brush';
 import { codeOf, COSTS, costOf, isPainted, isWeighted } from '../../state/ground';
 import { isSameUnit, type LengthUnit, unitOf } from '../../length';
+import type { Signal } from '../../state/signal';
+import type { Tool } from '../../state/tool';
 import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
 import { measure, threeDigits } from '../../state/measures';
 import { percent } from '../words';
@@ -43,19 +45,19 @@ const SIZE_STEPS = 100;
 const HEIGHT_POWERS = 5;
 
 /** The brush, what slopes and height cost, and what the path costs. */
-export function groundSection(session: Session, editor: GroundEditor): HTMLElement {
+export function groundSection(session: Session, editor: GroundEditor, pointer: Signal<Tool>): HTMLElement {
   const { scene } = session;
-  const brush = toggle(t('Brush'), (on) => editor.set({ on }));
+  const brush = toggle(t('Brush'), (on) => {
+    pointer.value = on ? 'brush' : 'source';
+  });
   attribute(brush.element, 'title', t('The pointer paints the ground (B)'));
-  const tool = select<GroundTool>(t('Tool'), labelled(TOOLS, TOOL_WORDS), (value) =>
-    editor.set({ on: true, tool: value }),
-  );
+  const tool = select<GroundTool>(t('Tool'), labelled(TOOLS, TOOL_WORDS), (value) => editor.take({ tool: value }));
   const hint = h('p', { class: 'quiet' });
   const buttons = MATERIALS.map((material) => {
     const swatch = h('span', { class: 'swatch', 'aria-hidden': 'true' });
     const button = h(
       'button',
-      { class: 'material', onclick: () => editor.set({ on: true, material }) },
+      { class: 'material', onclick: () => editor.take({ material }) },
       swatch,
       MATERIAL_WORDS[material],
     );
@@ -72,7 +74,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     max: COST_STEPS * Math.log10(COSTS[1]),
     step: 1,
     describe: (step) => t`${threeDigits(costAt(step))} × as dear`,
-    change: (step) => editor.set({ on: true, material: 'custom', cost: costAt(step) }),
+    change: (step) => editor.take({ material: 'custom', cost: costAt(step) }),
   });
   const size = slider({
     label: t('Size'),
@@ -120,12 +122,12 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
   const legend = h('p', { class: 'ground-legend', role: 'status' });
 
   const showBrush = () => {
-    const { on, tool: chosen, material, cost: custom, radius, soft: edge } = editor.brush.value;
-    brush.show(on);
+    const { tool: chosen, material, cost: custom, radius, soft: edge } = editor.brush.value;
+    brush.show(editor.isOn);
     tool.show(chosen);
     const isLine = editor.lineEnd.value !== null;
     say(hint, isLine ? t('Click the next vertex; Esc ends the wall.') : TOOL_HINTS[chosen]);
-    hint.hidden = !on;
+    hint.hidden = !editor.isOn;
     for (const { material: other, swatch, button } of buttons) {
       button.setAttribute('aria-pressed', String(other === material));
       const title = titleOf(other, custom);
@@ -141,9 +143,11 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     soft.element.hidden = chosen !== 'brush' || material === 'wall' || material === 'gate';
   };
   editor.brush.watch(showBrush);
+  pointer.watch(showBrush);
   editor.lineEnd.watch(showBrush);
 
-  const element = h('div', { class: 'stack' });
+  const controls = h('div', { class: 'stack' });
+  const none = h('p', { class: 'quiet', hidden: true }, t('Inside of tetrahedra there is no ground.'));
   const showGround = () => {
     const { ground } = scene.state;
     slope.show(ground.slope);
@@ -164,15 +168,16 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
   });
   session.shown.watch((shown, previous) => {
     showGround();
-    // Inside of tetrahedra there is no ground.
     if (shown?.opened !== previous?.opened) {
       const weights = shown?.opened.weights;
       ofFile.hidden = !weights;
       say(ofFile, weights ? t`Costs of the file (${weights.name})` : COSTS_OF_FILE);
-      element.closest('details')?.toggleAttribute('hidden', (shown?.opened.interior ?? null) !== null);
+      const isInside = (shown?.opened.interior ?? null) !== null;
+      controls.hidden = isInside;
+      none.hidden = !isInside;
     }
   });
-  element.append(
+  controls.append(
     brush.element,
     tool.element,
     hint,
@@ -186,7 +191,7 @@ export function groundSection(session: Session, editor: GroundEditor): HTMLEleme
     height.element,
     legend,
   );
-  return element;
+  return h('div', {}, none, controls);
 }
 
 function costsSentence(path: DrawPath, unit: LengthUnit): Words {

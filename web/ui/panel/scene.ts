@@ -3,11 +3,12 @@ import type { Opener } from '../../session/opener';
 import type { Session } from '../../session/session';
 import { PRESETS } from '../../state/presets';
 import { isSameUnit, unitOf } from '../../length';
+import { REPORT } from '../../state/table1';
 import { h, say } from '../dom';
 import { simplifiedSentence } from '../words';
 import { partsControl } from './parts';
 import { unitControls } from './units';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 /** URL of each preset's thumbnail by its path; `npm run gallery` draws them. */
 const THUMBNAILS = import.meta.glob<string>('../../thumbnails/*.webp', {
@@ -25,6 +26,11 @@ function thumbnail(id: string, drawn: Promise<void>): HTMLElement | null {
   return image;
 }
 
+/** Whether the report measures the model of a preset. */
+function inReport(id: string): boolean {
+  return REPORT.some(({ model }) => 'preset' in model && model.preset === id);
+}
+
 /** Gallery of presets, the buttons for files and folders, the unit of lengths and the parts of the file. `drawn`: the first picture. */
 export function sceneSection(
   session: Session,
@@ -33,17 +39,28 @@ export function sceneSection(
   chooseFolder: (() => void) | null,
   drawn: Promise<void>,
 ): HTMLElement {
-  const gallery = h('div', { class: 'gallery', role: 'group', 'aria-label': t('Presets') });
-  const buttons = PRESETS.map((preset) => {
+  const cards = PRESETS.map((preset) => {
     const button = h(
       'button',
       { class: 'card', title: t`${preset.title} — ${preset.credit}`, onclick: () => void opener.preset(preset.id) },
       thumbnail(preset.id, drawn),
       h('span', {}, preset.title),
     );
-    gallery.append(button);
     return { button, id: preset.id };
   });
+  const group = (name: Words, isOfReport: boolean) =>
+    h(
+      'div',
+      { role: 'group', 'aria-label': name },
+      h('p', { class: 'quiet', 'aria-hidden': 'true' }, name),
+      ...cards.filter(({ id }) => inReport(id) === isOfReport).map(({ button }) => button),
+    );
+  const gallery = h(
+    'div',
+    { class: 'gallery' },
+    group(t('Presets'), false),
+    group(t('Models of Table 1 of the report'), true),
+  );
   const credit = h('p', { class: 'quiet' });
 
   const simplified = h('p', { class: 'quiet', hidden: true });
@@ -58,7 +75,7 @@ export function sceneSection(
 
   const showScene = () => {
     const { mesh } = session.scene.state;
-    for (const { button, id } of buttons) {
+    for (const { button, id } of cards) {
       button.setAttribute('aria-pressed', String(mesh.kind === 'preset' && mesh.id === id));
     }
     const preset = mesh.kind === 'preset' ? PRESETS.find(({ id }) => id === mesh.id) : undefined;
@@ -74,8 +91,6 @@ export function sceneSection(
   return h(
     'div',
     { class: 'stack' },
-    gallery,
-    credit,
     h(
       'div',
       { class: 'openers' },
@@ -83,6 +98,8 @@ export function sceneSection(
       chooseFolder &&
         h('button', { title: t('Open the folder of a mesh'), onclick: chooseFolder }, t('Open a folder…')),
     ),
+    gallery,
+    credit,
     simplified,
     ...units,
     partsControl(session, opener),

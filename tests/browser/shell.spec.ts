@@ -1,0 +1,117 @@
+/** The shell: what opens a mesh, the workspaces with their tools, the search, and what a link says of them. */
+import { expect, test } from '../page';
+
+test('one workspace is open, by mouse and by arrows, and a link opens where its author was', async ({
+  heatwalk,
+  page,
+}) => {
+  await heatwalk.open('#v=1&m=bunny&open=look');
+  const tab = (name: string) => page.getByRole('tab', { name, exact: true });
+  await expect(tab('Look')).toHaveAttribute('aria-selected', 'true');
+  await expect(page.getByRole('tabpanel')).toHaveCount(1);
+  await expect(page.getByRole('button', { name: 'gold', exact: true })).toBeVisible();
+  await tab('Look').press('ArrowRight');
+  await expect(tab('Measure')).toBeFocused();
+  await expect.poll(() => page.url()).toContain('&open=measure');
+  await tab('Scene').click();
+  await expect.poll(() => page.url()).not.toContain('open=');
+  await page.evaluate(() => (location.hash = '#v=1&m=bunny&open=share'));
+  await expect(page.getByRole('button', { name: 'Copy link' })).toBeVisible();
+  // A comparison is where its settings are; what is no workspace is told.
+  await page.evaluate(() => (location.hash = '#v=1&m=bunny&vs=t:1000,at:0.5'));
+  await expect(tab('Solver')).toHaveAttribute('aria-selected', 'true');
+  await page.evaluate(() => (location.hash = '#v=1&m=bunny&open=kitchen'));
+  await expect(page.getByText('open=kitchen is invalid')).toBeVisible();
+  await expect(tab('Scene')).toHaveAttribute('aria-selected', 'true');
+});
+
+test('a tool opens its workspace, and is put away with it', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=terrain');
+  const tool = (name: string) => page.getByRole('toolbar').getByRole('button', { name, exact: true });
+  await expect(tool('Brush')).toBeHidden();
+  await page.keyboard.press('b');
+  await expect(tool('Brush')).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByRole('tab', { name: 'Ground' })).toHaveAttribute('aria-selected', 'true');
+  await expect(page.getByRole('switch', { name: 'Brush' })).toBeChecked();
+  await page.keyboard.press('m');
+  await expect(tool('Brush')).toBeHidden();
+  await expect(tool('Measure')).toHaveAttribute('aria-pressed', 'true');
+  await page.getByRole('tab', { name: 'Look' }).click();
+  await expect(tool('Source')).toHaveAttribute('aria-pressed', 'true');
+  // Tools that belong to no workspace stay.
+  await tool('Walker').click();
+  await page.getByRole('tab', { name: 'Ground' }).click();
+  await expect(tool('Walker')).toHaveAttribute('aria-pressed', 'true');
+  await page.getByRole('tab', { name: 'Inside' }).click();
+  await expect(tool('Cut')).toBeVisible();
+});
+
+test('the search finds settings by name and by what is said of them, commands with their keys, and presets', async ({
+  heatwalk,
+  page,
+}) => {
+  await heatwalk.open();
+  const dialog = page.getByRole('dialog', { name: 'Search' });
+  const field = page.getByRole('combobox', { name: 'Search settings and commands' });
+  await page.keyboard.press('Control+k');
+  await field.fill('roughness');
+  await expect(dialog.getByRole('option').first()).toHaveText('Surface roughnessLook › Style');
+  await field.press('ArrowDown');
+  await expect(dialog.getByRole('option', { selected: true })).toHaveText('Stripe roughnessLook › Style');
+  await field.press('Enter');
+  await expect(page.getByRole('slider', { name: 'Stripe roughness' })).toBeFocused();
+  await expect(page.getByRole('tab', { name: 'Look' })).toHaveAttribute('aria-selected', 'true');
+
+  // By a word of its explanation alone.
+  await page.getByRole('button', { name: 'Search', exact: true }).click();
+  await field.fill('hiker');
+  await expect(dialog.getByRole('option').first()).toHaveText('SlopeGround');
+  await field.fill('no such thing');
+  await expect(dialog).toContainText('Nothing has these words.');
+  await field.fill('turntable');
+  await expect(dialog.getByRole('option').first()).toHaveText('TurntableT');
+  await field.press('Enter');
+  await expect(page.getByRole('button', { name: 'Turntable' })).toHaveAttribute('aria-pressed', 'true');
+  await page.keyboard.press('Control+k');
+  await field.fill('torus');
+  await dialog.getByRole('option', { name: 'Torus' }).click();
+  await expect.poll(() => page.evaluate(() => window.heatwalk.mesh?.name)).toBe('torus');
+});
+
+test('what opens a mesh is in one menu: files, addresses, presets', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=bunny&open=solve');
+  const menu = page.getByRole('dialog', { name: 'Open' });
+  const button = page.getByRole('banner').getByRole('button', { name: 'Open', exact: true });
+  await button.click();
+  const choosing = page.waitForEvent('filechooser');
+  await menu.getByRole('button', { name: 'Open a file…' }).click();
+  await choosing;
+  await expect(menu).toBeHidden();
+  await button.click();
+  await menu.getByRole('textbox').fill('nowhere');
+  await page.keyboard.press('Enter');
+  await expect(menu).toContainText('This is no http or https address.');
+  await menu.getByRole('textbox').fill(`${new URL('/docs/none.obj', page.url()).href}`);
+  await page.keyboard.press('Enter');
+  await expect(page.locator('.message.error')).toContainText('none.obj was not opened');
+  await button.click();
+  await button.click();
+  await expect(menu).toBeHidden();
+  await button.click();
+  await menu.getByRole('button', { name: 'Presets' }).click();
+  await expect(page.getByRole('button', { name: /^Dragon/ })).toBeVisible();
+});
+
+test('opening says what a person wants, and the rest under details', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=icosphere');
+  const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\nf 1 3 4\nf 1 3 4\n';
+  await heatwalk.dropAndOpen([['square.obj', square]]);
+  const summary = page.locator('.message.summary');
+  await expect(summary.locator('p')).toHaveText('square.obj, 2 triangles, in one piece.');
+  await summary.getByText('Details').click();
+  await expect(summary.getByRole('listitem')).toHaveText([
+    '1 component, 1 boundary',
+    'removed 1 unreferenced vertex',
+    'removed 1 duplicate triangle',
+  ]);
+});

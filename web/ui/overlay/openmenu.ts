@@ -1,0 +1,82 @@
+/** What opens a mesh: a file, a folder, an address, a preset. Fetched when it is asked for first. */
+import '../../style/search.css';
+import { addressIn } from '../../files/address';
+import { formats } from '../../files/paths';
+import type { Opener } from '../../session/opener';
+import { h, say } from '../dom';
+import { t, type Words } from '../../texts';
+
+export interface OpenMenuOptions {
+  opener: Opener;
+  chooseFile: () => void;
+  /** Null where the browser opens no folders. */
+  chooseFolder: (() => void) | null;
+  /** Shows the presets; null where there is no panel. */
+  presets: (() => void) | null;
+}
+
+/** CSS pixels. */
+const WIDTH = 300;
+const MARGIN = 12;
+
+/** Opens the menu below a button, which opens and closes it from then on. */
+export function openMenu(
+  beside: HTMLButtonElement,
+  { opener, chooseFile, chooseFolder, presets }: OpenMenuOptions,
+): void {
+  // Asked for twice before it was here.
+  if (beside.popoverTargetElement) return;
+  const item = (name: Words, key: string, tip: Words, run: () => void) =>
+    h(
+      'button',
+      {
+        title: tip,
+        onclick: () => {
+          menu.hidePopover();
+          run();
+        },
+      },
+      name,
+      h('kbd', { class: 'quiet' }, key),
+    );
+  const said = h('p', { class: 'quiet', role: 'status' });
+  const field = h('input', {
+    type: 'text',
+    inputmode: 'url',
+    placeholder: 'https://',
+    'aria-label': t('Address of a mesh or a .zip'),
+  });
+  const form = h('form', {}, field, h('button', { type: 'submit' }, t('Open')));
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    const address = addressIn(field.value);
+    if (!address) {
+      say(said, t('This is no http or https address.'));
+      return;
+    }
+    menu.hidePopover();
+    void opener.address(address);
+  });
+  const menu = h(
+    'div',
+    { class: 'open-menu', popover: 'auto', role: 'dialog', 'aria-label': t('Open') },
+    h(
+      'div',
+      {},
+      item(t('Open a file…'), 'O', t`Open a file (O): ${formats()}`, chooseFile),
+      chooseFolder && item(t('Open a folder…'), '', t('Open the folder of a mesh'), chooseFolder),
+      presets && item(t('Presets'), '', t('Show the presets'), presets),
+      form,
+      said,
+    ),
+  );
+  menu.addEventListener('beforetoggle', () => {
+    const { left, bottom } = beside.getBoundingClientRect();
+    menu.style.left = `${Math.min(left, Math.max(MARGIN, innerWidth - MARGIN - WIDTH))}px`;
+    menu.style.top = `${bottom + 8}px`;
+    say(said, null);
+  });
+  document.body.append(menu);
+  beside.popoverTargetElement = menu;
+  menu.showPopover();
+}

@@ -1,0 +1,141 @@
+/** Finds commands, settings, presets and styles by what is typed. Fetched when it is asked for first. */
+import '../../style/search.css';
+import type { Opener } from '../../session/opener';
+import { PRESETS } from '../../state/presets';
+import { attribute, h, say } from '../dom';
+import type { Command } from '../commands';
+import { explanationOf } from '../help/settings';
+import type { Panel } from '../panel/panel';
+import { type Entry, found } from './found';
+import { t } from '../../texts';
+
+interface Item extends Entry {
+  run: () => void;
+}
+
+/** What is seen of many answers at once. */
+const MOST_SHOWN = 60;
+/** What a panel's controls are called and are reached by. */
+const CONTROLS = '.field, button:not([role=tab]):not(.card), summary';
+
+/** Opens the search. `panel`: null where there is none. */
+export async function openSearch(commands: readonly Command[], opener: Opener, panel: Panel | null): Promise<void> {
+  if (document.querySelector('dialog.search')) return;
+  await panel?.load();
+  const items = [...commandItems(commands), ...presetItems(opener), ...(panel ? settingItems(panel) : [])];
+  const list = h('ul', { role: 'listbox', id: 'search-list', 'aria-label': t('Found') });
+  const none = h('p', { class: 'quiet', role: 'status' });
+  let shown: Item[] = [];
+  let at = 0;
+  const field = h('input', {
+    type: 'text',
+    role: 'combobox',
+    'aria-expanded': 'true',
+    'aria-controls': 'search-list',
+    'aria-label': t('Search settings and commands'),
+    placeholder: t('Search settings and commands'),
+    autocomplete: 'off',
+    oninput: () => show(),
+  });
+  const choose = (index: number) => {
+    const item = shown[index];
+    dialog.close();
+    item?.run();
+  };
+  const mark = (index: number) => {
+    at = shown.length === 0 ? 0 : (index + shown.length) % shown.length;
+    [...list.children].forEach((row, i) => row.setAttribute('aria-selected', String(i === at)));
+    const row = list.children[at];
+    attribute(field, 'aria-activedescendant', row?.id ?? '');
+    row?.scrollIntoView({ block: 'nearest' });
+  };
+  const show = () => {
+    shown = found(items, field.value).slice(0, MOST_SHOWN);
+    list.replaceChildren(
+      ...shown.map(({ name, place }, index) =>
+        h(
+          'li',
+          { role: 'option', id: `found-${index}`, onclick: () => choose(index) },
+          h('span', {}, name),
+          h('span', { class: 'quiet' }, place),
+        ),
+      ),
+    );
+    say(none, shown.length === 0 ? t('Nothing has these words.') : null);
+    mark(0);
+  };
+  const close = h(
+    'button',
+    { class: 'small', 'aria-label': t('Close the search'), onclick: () => dialog.close() },
+    '×',
+  );
+  const dialog = h(
+    'dialog',
+    { class: 'search', 'aria-label': t('Search') },
+    h('div', { class: 'search-head' }, field, close),
+    none,
+    list,
+  );
+  field.addEventListener('keydown', (event) => {
+    if (event.key === 'ArrowDown') mark(at + 1);
+    else if (event.key === 'ArrowUp') mark(at - 1);
+    else if (event.key === 'Enter') choose(at);
+    else return;
+    event.preventDefault();
+  });
+  dialog.addEventListener('close', () => dialog.remove());
+  dialog.addEventListener('click', ({ target }) => {
+    // The ground behind it belongs to the dialog.
+    if (target === dialog) dialog.close();
+  });
+  show();
+  document.body.append(dialog);
+  dialog.showModal();
+  field.focus();
+}
+
+function commandItems(commands: readonly Command[]): Item[] {
+  return commands.map(({ name, keys, run }) => ({
+    name: String(name),
+    place: (keys[0] ?? '').replace(/(^|\+)./g, (letter) => letter.toUpperCase()),
+    line: '',
+    run: () => run({}),
+  }));
+}
+
+function presetItems(opener: Opener): Item[] {
+  return PRESETS.map(({ id, title, credit }) => ({
+    name: String(title),
+    place: String(t('Preset')),
+    line: String(credit),
+    run: () => void opener.preset(id),
+  }));
+}
+
+/** Settings, buttons and headings of the panel, to which the search leads. */
+function settingItems(panel: Panel): Item[] {
+  return [...panel.element.querySelectorAll<HTMLElement>(CONTROLS)].flatMap((control) => {
+    if (control.closest('[hidden]:not([role=tabpanel])')) return [];
+    const section = control.closest<HTMLElement>('details[id^="section-"]');
+    const name = nameOf(control);
+    if (!section || name === '') return [];
+    const input = control.matches('.field') ? control.querySelector<HTMLElement>('input, select, button') : control;
+    const line = explanationOf(section.id.replace('section-', ''), name)?.line ?? control.title;
+    return input ? [{ name, place: placeOf(section, name), line: String(line), run: () => panel.reveal(input) }] : [];
+  });
+}
+
+function nameOf(control: HTMLElement): string {
+  if (control.matches('.field')) return control.querySelector('span')?.textContent.trim() ?? '';
+  const text = control.getAttribute('aria-label') ?? control.textContent.trim();
+  return /\p{L}/u.test(text) ? text : '';
+}
+
+/** "Look › Style": where a setting is, without the names that say the same. */
+function placeOf(section: HTMLElement, name: string): string {
+  const sheet = section.closest<HTMLElement>('[role=tabpanel]');
+  const tab = sheet && document.getElementById(sheet.getAttribute('aria-labelledby') ?? '');
+  const heading = section.querySelector('summary')?.textContent.trim() ?? '';
+  const path = [tab?.textContent.trim() ?? '', heading].filter((each) => each !== '' && each !== name);
+  return [...new Set(path)].join(' › ');
+}
