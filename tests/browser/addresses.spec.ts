@@ -70,7 +70,7 @@ test('a mesh of an archive at an address is in the link, and another of it can b
   const set = zipSync({ 'cow.obj': strToU8(obj({ cow: BALL })), 'x/horse.off': strToU8(off(sphere(6))) });
   await serve(page, { '/set.zip': Buffer.from(set) });
   await heatwalk.open(`#model=${HOST}/set.zip&name=x/horse.off`);
-  await page.getByRole('button', { name: 'Open', exact: true }).click();
+  await page.locator('.message').getByRole('button', { name: 'Open', exact: true }).click();
   await expect.poll(async () => (await heatwalk.mesh()).name).toBe('horse.off');
   await page.getByLabel('Mesh to open').selectOption('cow.obj');
   await expect.poll(async () => (await heatwalk.mesh()).name).toBe('cow.obj');
@@ -121,7 +121,7 @@ for (const [what, files, sentence] of [
     await serve(page, files);
     await heatwalk.open(`#model=${HOST}/ball.off`);
     const before = await heatwalk.scene();
-    await page.getByRole('button', { name: 'Open', exact: true }).click();
+    await page.locator('.message').getByRole('button', { name: 'Open', exact: true }).click();
     await expect(page.getByRole('alert')).toContainText(sentence);
     expect(await heatwalk.scene()).toEqual(before);
     await expect(page.getByText('This link shows ball.off')).toBeVisible();

@@ -128,5 +128,6 @@ test('contacts are marked where there are any', async ({ heatwalk, page }) => {
   expect(difference(await heatwalk.drawing(1, false), without)).toBe(0);
   await heatwalk.openFile('balls.obj', balls(1), 's=0&method=auto');
   await heatwalk.settled();
+  await openSection(page, 'display');
   await expect(contacts).toBeDisabled();
 });

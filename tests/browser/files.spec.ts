@@ -135,6 +135,7 @@ test('where no format says a unit, the size suggests one, which is corrected, co
   const numbers = page.locator('.numbers');
   await expect(numbers).toContainText(/Diameter[\d.]+ mm \(assumed\)/);
   const [diameter] = /Diameter[\d.]+/.exec((await numbers.textContent()) ?? '') ?? [];
+  await openSection(page, 'scene');
   const unit = page.getByRole('combobox', { name: 'Correct unit' });
   await expect(unit.locator('option').first()).toHaveText('mm (assumed)');
   await unit.selectOption('in');

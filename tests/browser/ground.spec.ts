@@ -5,7 +5,7 @@ const N = 24;
 const GRID = off(grid(N));
 const at = (i: number, j: number) => ({ vertex: i + (N + 1) * j });
 const [SOURCE, BEHIND] = [at(3, 12), at(21, 12)];
-const VIEW = 'up=z&cam=0,1.5,2.6,0,0,0';
+const VIEW = 'up=z&cam=0,1.5,3,0,0,0';
 const SIZE = 'Size';
 
 /** A grid seen from above. */

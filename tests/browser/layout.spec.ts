@@ -32,6 +32,7 @@ test.describe('in a window of 1280 × 800 at 200 %', () => {
     const covered = () =>
       page.locator('.toolbar button').evaluateAll((buttons) =>
         buttons
+          .filter((button) => button.checkVisibility())
           .filter((button) => {
             const { left, top, width, height } = button.getBoundingClientRect();
             return !button.contains(document.elementFromPoint(left + width / 2, top + height / 2));

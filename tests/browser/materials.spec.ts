@@ -1,11 +1,12 @@
 /** Files are shown in their own materials. */
 import type { PNG } from 'pngjs';
 import { glb, off, sphere } from '../fixtures';
-import { difference, expect, test } from '../page';
+import { difference, expect, openSection, test } from '../page';
 import { basisSquares, texturedGlb, texturedObj } from '../textured';
 
 test('a file with materials opens in them, one without as before', async ({ heatwalk, page }) => {
   await heatwalk.open();
+  await openSection(page, 'style');
   const surface = page.getByRole('combobox', { name: 'Surface' });
   const ofFile = surface.getByRole('option', { name: "the file's materials" });
   await heatwalk.dropAndOpen([['plain.glb', glb(sphere(12))]]);
@@ -65,6 +66,7 @@ test('an OBJ file is shown in the materials of its library, and what it misses i
 test('stripes lie over the materials, are multiplied with them, or are left out', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await heatwalk.dropAndOpen([['balls.glb', texturedGlb()]]);
+  await openSection(page, 'style');
   await page.getByRole('combobox', { name: 'Stripes', exact: true }).selectOption('gold');
   const contrasting = await heatwalk.drawing(0.5, false);
   await page.getByRole('combobox', { name: 'Stripes lie' }).selectOption('over the materials');

@@ -218,6 +218,7 @@ test('what only the heat method has is not asked of windows', async ({ heatwalk,
   await choose(page, 'heat');
   await heatwalk.settled();
   await page.evaluate(() => window.heatwalk.picture(0.5));
+  await openSection(page, 'display');
   await expect(page.getByText('Log scale, from the hottest vertex')).toBeVisible();
   await expect(page.getByLabel('Operator edges')).toBeChecked();
   await expect(page.getByRole('alert')).toBeEmpty();

@@ -114,7 +114,7 @@ test('the solver can choose the time factor and the exact region', async ({ heat
   await openSection(page, 'solver');
   await page.getByText('More solver settings').click();
   const chosen = (await heatwalk.field()).timeFactor;
-  const auto = page.getByRole('button', { name: 'Time factor m, automatic' });
+  const auto = page.getByRole('button', { name: 'Auto: Time factor m' });
   await expect(auto).toHaveAttribute('aria-pressed', 'true');
   await expect(page.locator('.field', { hasText: 'Time factor m' }).locator('.value')).toHaveText(
     `${Number(chosen?.toPrecision(2))}`,
@@ -129,7 +129,7 @@ test('the solver can choose the time factor and the exact region', async ({ heat
   await page.getByRole('slider', { name: 'Exact region' }).fill('0');
   await expect(page).toHaveURL(/near=0/);
   await expect.poll(async () => (await heatwalk.field()).exactBelow).toBe(0);
-  await page.getByRole('button', { name: 'Exact region, automatic' }).click();
+  await page.getByRole('button', { name: 'Auto: Exact region' }).click();
   expect((await heatwalk.scene()).parameters.exactRadius).toBe('auto');
 });
 

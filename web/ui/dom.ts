@@ -184,7 +184,7 @@ export function automaticSlider({ change, describe, ...options }: AutomaticSlide
     'button',
     {
       class: 'small',
-      'aria-label': t`${options.label}, automatic`,
+      'aria-label': t`Auto: ${options.label}`,
       title: t('Let the solver choose'),
       onclick: () => change(automatic ? taken : 'auto', {}),
     },

@@ -53,13 +53,25 @@ impl Pattern {
 
     /// The same pattern with another number for each row.
     pub(crate) fn renumbered(&self, number: &[u32]) -> Self {
+        let (column_start, rows) = self.compressed(number, |a, b| (a.min(b), a.max(b)));
+        let mut renumbered = Self::from_sorted(column_start, rows);
+        for column in 0..renumbered.size() {
+            let range = renumbered.column(column);
+            renumbered.rows[range].sort_unstable();
+        }
+        renumbered
+    }
+
+    /// The upper triangle in compressed columns, with another number for each row; rows of a column in no order.
+    pub(crate) fn upper_renumbered(&self, number: &[u32]) -> (Vec<u32>, Vec<u32>) {
+        self.compressed(number, |a, b| (a.max(b), a.min(b)))
+    }
+
+    /// The entries in compressed columns, with another number for each row: `place` makes a column and a row of both.
+    fn compressed(&self, number: &[u32], place: impl Fn(u32, u32) -> (u32, u32)) -> (Vec<u32>, Vec<u32>) {
         let entries = || {
             let of_column = |column| self.column(column).map(move |entry| (column, self.rows[entry] as usize));
-            let in_lower = |(column, row)| {
-                let [a, b] = [column, row].map(|index: usize| number[index]);
-                (a.min(b), a.max(b))
-            };
-            (0..self.size()).flat_map(of_column).map(in_lower)
+            (0..self.size()).flat_map(of_column).map(|(column, row)| place(number[column], number[row]))
         };
         let mut column_start = vec![0; self.size() + 1];
         for (column, _) in entries() {
@@ -75,12 +87,7 @@ impl Pattern {
             rows[*place as usize] = row;
             *place += 1;
         }
-        let mut renumbered = Self::from_sorted(column_start, rows);
-        for column in 0..renumbered.size() {
-            let range = renumbered.column(column);
-            renumbered.rows[range].sort_unstable();
-        }
-        renumbered
+        (column_start, rows)
     }
 
     /// Number of rows.

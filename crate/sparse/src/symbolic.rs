@@ -5,16 +5,14 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use faer::Side;
-use faer::perm::PermRef;
-use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
-};
-use faer::sparse::linalg::{SupernodalThreshold, SymbolicSupernodalParams};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::sparse::SymbolicSparseColMatRef;
+use faer::sparse::linalg::SymbolicSupernodalParams;
+use faer::sparse::linalg::cholesky::{simplicial, supernodal};
 
 use crate::error::{Error, Result};
 use crate::front::packed_start;
-use crate::ordering::{Permutation, view};
+use crate::ordering::Permutation;
 use crate::pattern::{NONE, Pattern};
 use crate::scalar::Scalar;
 
@@ -88,18 +86,7 @@ impl Symbolic {
         if permutation.size() != size {
             return Err(mismatch);
         }
-        let params = CholeskySymbolicParams {
-            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-            supernodal_params: SymbolicSupernodalParams { relax: Some(RELAXATION) },
-            ..Default::default()
-        };
-        let order = PermRef::new_checked(&permutation.old_of_new, &permutation.new_of_old, size);
-        let analysis =
-            factorize_symbolic_cholesky(view(pattern), Side::Lower, SymmetricOrdering::Custom(order), params)
-                .map_err(|_| Error::OutOfMemory { stage: "analysing the matrix" })?;
-        let SymbolicCholeskyRaw::Supernodal(analysis) = analysis.raw() else {
-            unreachable!("the analysis is always supernodal, its threshold being 0")
-        };
+        let analysis = supernodes(pattern, &permutation).ok_or(Error::OutOfMemory { stage: "analysing the matrix" })?;
         let count = analysis.n_supernodes();
         let mut symbolic = Self {
             pattern: Arc::clone(pattern),
@@ -298,4 +285,20 @@ impl Symbolic {
         let Supernode { width, below, .. } = self.supernode(index);
         width as f64 * ((width + below.len()) as f64).powi(2)
     }
+}
+
+/// The supernodes of a pattern in an elimination order, by faer; none where memory is short.
+fn supernodes(pattern: &Pattern, permutation: &Permutation) -> Option<supernodal::SymbolicSupernodalCholesky<u32>> {
+    let size = pattern.size();
+    let (column_start, rows) = pattern.upper_renumbered(&permutation.new_of_old);
+    let upper = SymbolicSparseColMatRef::new_unsorted_checked(size, size, &column_start, None, &rows);
+    let scratch = simplicial::prefactorize_symbolic_cholesky_scratch::<u32>(size, rows.len())
+        .or(supernodal::factorize_supernodal_symbolic_cholesky_scratch::<u32>(size));
+    let mut memory = MemBuffer::try_new(scratch).ok()?;
+    let (mut parents, mut counts) = (vec![0; size], vec![0; size]);
+    let parents =
+        simplicial::prefactorize_symbolic_cholesky(&mut parents, &mut counts, upper, MemStack::new(&mut memory));
+    let relaxed = SymbolicSupernodalParams { relax: Some(RELAXATION) };
+    supernodal::factorize_supernodal_symbolic_cholesky(upper, parents, &counts, MemStack::new(&mut memory), relaxed)
+        .ok()
 }

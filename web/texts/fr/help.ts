@@ -44,6 +44,7 @@ export const HELP: Texts = {
   'drop a CSV file': 'déposer un fichier CSV',
   'field in the Sources section': 'champ de la section Sources',
   'Ctrl+V': 'Ctrl+V',
+  'Ctrl+K': 'Ctrl+K',
   'Move a source': 'Déplacer une source',
   'drag its pin': 'glisser son épingle',
   arrows: 'flèches',

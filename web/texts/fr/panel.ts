@@ -31,7 +31,7 @@ export const PANEL: Texts = {
   'There is no scene to save as an image yet.': 'Il n’y a pas encore de scène à enregistrer comme image.',
   'The graphics device could not read the image back. Try a smaller one.':
     'Le processeur graphique n’a pas pu relire l’image. Essayez-en une plus petite.',
-  '{0}, automatic': '{0}, automatique',
+  'Auto: {0}': 'Auto : {0}',
   'Let the solver choose': 'Laisser choisir le solveur',
   Auto: 'Auto',
   Automatic: 'Automatique',

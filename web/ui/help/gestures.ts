@@ -66,5 +66,11 @@ export const GESTURES: readonly Gesture[] = [
   { what: t('Open a file'), mouse: t('drop it, or paste it'), touch: t('button'), keys: 'O' },
   { what: t('Undo, redo'), mouse: t('buttons'), touch: t('buttons'), keys: t('Ctrl+Z Ctrl+Shift+Z') },
   { what: t('Cancel, close, back out'), mouse: t('button'), touch: t('button'), keys: t('Esc') },
+  {
+    what: t('Search settings and commands'),
+    mouse: t('button'),
+    touch: t('button'),
+    keys: t('Ctrl+K'),
+  },
   { what: t('This help'), mouse: t('button'), touch: t('button'), keys: '?' },
 ];
