@@ -140,7 +140,7 @@ const keys = new Keys({
 followPaste(opener);
 followLaunches(openFiles);
 
-const bar = toolbar(session, tool, workspace, () => cutOpen(session, opener));
+const bar = toolbar(session, tool, address.kiosk ? null : workspace, () => cutOpen(session, opener));
 page.append(
   comparing.layer,
   heading(session, { open: menu, search, share: address.kiosk ? null : () => panel?.show('share'), help }),
@@ -161,6 +161,8 @@ page.append(
 const first = Promise.withResolvers<void>();
 let panel: Panel | null = null;
 if (!address.kiosk) {
+  let asked: Promise<HTMLElement> | null = null;
+  messages.question = () => (asked ??= import('./ui/overlay/question').then(({ question }) => question(session)));
   const parts = {
     session,
     opener,

@@ -1,6 +1,6 @@
 import { COMPRESSED } from '../compressed';
 import { glb, gltf, obj, off, sphere } from '../fixtures';
-import { brightness, crossings, difference, expect, test } from '../page';
+import { brightness, crossings, difference, expect, openSection, test } from '../page';
 
 const BALL = sphere(24);
 
@@ -20,6 +20,7 @@ test('the first visit shows stripes, a path and one hint', async ({ heatwalk, pa
   // The background is smooth: what was counted are stripes, not noise.
   expect(crossings(picture, 20, y - 150, y + 150)).toBe(0);
 
+  await openSection(page, 'style');
   await page.getByRole('slider', { name: 'Stripe width' }).fill('0');
   await heatwalk.rest();
   expect(crossings(await heatwalk.picture(), x, y - 150, y + 150)).toBeLessThan(striped / 2);
@@ -58,7 +59,7 @@ for (const [name, content] of [
   test(`a dropped ${name} opens and is solved`, async ({ heatwalk, page }) => {
     await heatwalk.open();
     await heatwalk.dropAndOpen([[name, content]]);
-    await expect(page.getByText(`${name}:`)).toBeVisible();
+    await expect(page.getByText(`${name}, `)).toBeVisible();
     const mesh = await heatwalk.mesh();
     expect(mesh).toMatchObject({
       triangles: BALL.triangles.length,
@@ -165,6 +166,7 @@ test('a link brings back the same scene and nearly the same picture', async ({ h
   await page.keyboard.up('Control');
   await page.keyboard.press('ArrowLeft');
   await page.keyboard.press('+');
+  await openSection(page, 'style');
   await page.getByRole('button', { name: 'lagoon' }).click();
   await expect(page).toHaveURL(/s=[^&]+,[^&]+.*look=lagoon.*cam=/);
   await heatwalk.rest();
@@ -190,6 +192,7 @@ test('a link to a file asks for it by name and checks its hash', async ({ heatwa
   await heatwalk.open();
   await heatwalk.dropAndOpen([['ball.off', off(BALL)]]);
   await expect(page).toHaveURL(/m=file&name=ball\.off&hash=[\da-f]{64}/);
+  await openSection(page, 'style');
   await page.getByRole('button', { name: 'neon' }).click();
   await expect(page).toHaveURL(/look=neon/);
   const link = new URL(page.url()).hash;
@@ -210,7 +213,7 @@ test('a link to a file asks for it by name and checks its hash', async ({ heatwa
 test('every preset opens, is solved and has a walker', { tag: '@slow' }, async ({ heatwalk, page }) => {
   test.setTimeout(300_000);
   await heatwalk.open();
-  const cards = page.getByRole('group', { name: 'Presets' }).getByRole('button');
+  const cards = page.locator('.gallery').getByRole('button');
   for (const card of await cards.all()) {
     await card.click();
     await expect(card).toHaveAttribute('aria-pressed', 'true', { timeout: 60_000 });

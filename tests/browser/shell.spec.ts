@@ -115,3 +115,34 @@ test('opening says what a person wants, and the rest under details', async ({ he
     'removed 1 duplicate triangle',
   ]);
 });
+
+test('what a file does not say of itself is asked over the model, and a tap corrects it', async ({
+  heatwalk,
+  page,
+}) => {
+  await heatwalk.open('#v=1&m=icosphere');
+  const N = 6;
+  const places = Array.from({ length: N * N }, (_, k) => [k % N, Math.floor(k / N)] as const);
+  const vertices = places.map(([i, j]) => `v ${30 * i} ${30 * j} ${8 * Math.sin(i) * Math.cos(j)}`);
+  const faces = places
+    .filter(([i, j]) => i < N - 1 && j < N - 1)
+    .map(([i, j]) => [N * j + i + 1, N * j + i + 2, N * (j + 1) + i + 2, N * (j + 1) + i + 1].join(' '));
+  const hills = [...vertices, ...faces.map((corners) => `f ${corners}`)].join('\n');
+  await heatwalk.dropAndOpen([['hills.obj', hills]]);
+  const question = page.locator('.message.summary');
+  const button = (name: string) => question.getByRole('button', { name, exact: true });
+  // A grid of heights is a terrain: in meters, with Z up.
+  await expect(button('m')).toHaveAttribute('aria-pressed', 'true');
+  await expect(button('Z')).toHaveAttribute('aria-pressed', 'true');
+  await expect(question).toContainText(/\d m from corner to corner\?/);
+  await button('ft').click();
+  await expect(question).toContainText(/\d ft from corner to corner\?/);
+  await expect.poll(() => page.url()).toContain('&unit=ft');
+  await button('Y').click();
+  await expect.poll(async () => (await heatwalk.mesh()).up).toBe('y');
+  await expect(button('Y')).toHaveAttribute('aria-pressed', 'true');
+  // What says its unit is not asked.
+  await page.evaluate(() => (location.hash = '#v=1&m=teapot'));
+  await expect(page.locator('.message.summary p')).toContainText('Teapot, ');
+  await expect(question.locator('.question')).toHaveCount(0);
+});

@@ -12,7 +12,6 @@ import { isPainted, LEVEL } from '../state/ground';
 import { HALVED, isWhole, WHOLE } from '../state/inside';
 import { decodeLink } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
-import { type LengthUnit, unitOf } from '../length';
 import { emptyScene, type MeshReference, type SceneState, TRIANGLES } from '../state/scene';
 import type { SourceSet } from '../state/sources';
 import { MODEL_STYLE } from '../state/styles';
@@ -30,7 +29,7 @@ export interface Action {
 
 export interface Notifier {
   /** A mesh is shown. */
-  opened(title: Words, shown: Shown, unit: LengthUnit): void;
+  opened(title: Words, shown: Shown, state: SceneState): void;
   notice(text: Words): void;
   /** Tells which of the meshes that came together is shown, and offers the others. */
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void;
@@ -313,7 +312,7 @@ export class Opener {
       if (isPainted(request.state.ground) && !isPainted(this.#session.scene.state.ground)) {
         this.#notifier.notice(t('The ground of the link is of another mesh and was removed.'));
       }
-      this.#notifier.opened(request.title, shown, unitOf(this.#session.scene.state, shown.opened));
+      this.#notifier.opened(request.title, shown, this.#session.scene.state);
       done(shown);
     } catch (error) {
       if (!(error instanceof Cancelled)) {

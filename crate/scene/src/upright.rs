@@ -4,7 +4,7 @@ use std::array;
 use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
-use heatwalk::{Soup, Up};
+use heatwalk::{Soup, Up, is_terrain};
 
 /// A model stands on its lowest layer, so thick in heights of the model.
 const LAYER: f64 = 0.005;
@@ -17,10 +17,13 @@ const SOLID: f64 = 0.01;
 /// Directions in which the hull is looked for: of a disc, it is found but for a hundredth.
 const DIRECTIONS: usize = 32;
 
-/// Z where the model would stand on its lowest layer along Z, on faces, and would not stand along Y; else Y. It would stand
+/// Z of terrains, and where the model would stand on its lowest layer along Z, on faces, and would not stand along Y; else Y. It would stand
 /// where the convex hull of the layer is broad and has the centroid of the surface above it. Nothing is taken to be upside
 /// down or X up: bowls have broad rims, and such files are rare.
 pub fn upright(soup: &Soup) -> Up {
+    if is_terrain(soup) {
+        return Up::Z;
+    }
     let body = Body::of(soup);
     let is_tall = body.extent.z >= TALL * body.extent.length();
     let stands = |axis| body.base(soup, axis).is_some();

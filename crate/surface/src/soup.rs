@@ -5,6 +5,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use crate::error::{Error, Result};
+use crate::terrain::is_terrain;
 use crate::triangle;
 use crate::unit::{LengthUnit, Unit, UnitRule};
 use crate::warning::Warning;
@@ -120,13 +121,14 @@ impl Soup {
         })
     }
 
-    /// What its lengths are in, by a rule: where that is automatic and the format says no unit, the one that the size of all
-    /// of it suggests.
+    /// What its lengths are in, by a rule: where that is automatic and the format says no unit, meters for terrains
+    /// ([`is_terrain`]), else the one that the size of all of it suggests.
     #[must_use]
     pub fn length_unit(&self, rule: UnitRule) -> LengthUnit {
         match (rule, self.unit) {
             (UnitRule::Is(unit), _) => LengthUnit { unit, is_assumed: false },
             (UnitRule::Automatic, Some(unit)) => LengthUnit { unit: Some(unit), is_assumed: false },
+            (UnitRule::Automatic, None) if is_terrain(self) => LengthUnit { unit: Some(Unit::Meter), is_assumed: true },
             (UnitRule::Automatic, None) => {
                 let corners = self.triangles.as_flattened().iter();
                 let positions = corners.filter_map(|&vertex| self.positions.get(vertex as usize).copied());

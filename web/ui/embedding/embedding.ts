@@ -201,7 +201,7 @@ class Embedding {
 /** Tells what was opened as ever, and leaves it to the host to show what was not. */
 function quiet(notifier: Notifier, failed: (reason: Words) => void): Notifier {
   return {
-    opened: (title, shown, unit) => notifier.opened(title, shown, unit),
+    opened: (title, shown, state) => notifier.opened(title, shown, state),
     notice: (text) => notifier.notice(text),
     choice: (shown, meshes, open) => notifier.choice(shown, meshes, open),
     fail: failed,

@@ -4,19 +4,25 @@ import { MOST_FETCHED } from '../../files/fetch';
 import { fileName } from '../../files/paths';
 import type { Action, Notifier } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
-import type { LengthUnit } from '../../length';
+import { unitOf } from '../../length';
+import type { SceneState } from '../../state/scene';
+import { AUTOMATIC } from '../../wasm/contract';
 import { copy } from '../clipboard';
 import { h } from '../dom';
 import { absentSentence, openingDetails, openingSentence } from '../words';
 import { t, type Words } from '../../texts';
 
 const SHOWN_MS = 8000;
+/** Of what can be corrected, which the panel has too. */
+const ASKING_MS = 30_000;
 
 export class Messages implements Notifier {
   readonly element = h('div', { class: 'messages' });
   readonly #polite = h('div', { role: 'status', 'aria-live': 'polite' });
   readonly #urgent = h('div', { role: 'alert' });
   readonly #chooseFile: () => void;
+  /** What asks for what a file does not say of itself; null: nothing does. */
+  question: (() => Promise<HTMLElement>) | null = null;
   #summary: HTMLElement | null = null;
   #absent: HTMLElement | null = null;
   #failed: HTMLElement | null = null;
@@ -30,13 +36,17 @@ export class Messages implements Notifier {
   }
 
   /** Says what was done; replaces the message about the mesh before, and the last error. */
-  opened(title: Words, { opened, answer }: Shown, unit: LengthUnit): void {
+  opened(title: Words, { opened, answer }: Shown, state: SceneState): void {
+    const unit = unitOf(state, opened);
     for (const former of [this.#summary, this.#absent, this.#failed, this.#chosen]) former?.remove();
     const sentence = openingSentence(title, opened, answer.factoring, unit);
     this.#summary = this.#say(this.#polite, 'summary', sentence, []);
     const lines = openingDetails(opened, answer.factoring, unit).map((line) => h('li', {}, line));
     this.#summary.append(h('details', { class: 'more' }, h('summary', {}, t('Details')), h('ul', {}, ...lines)));
-    this.#fade(this.#summary);
+    const asks = state.mesh.kind !== 'preset' && state.unit === AUTOMATIC && opened.unitAssumed;
+    const question = asks ? this.question : null;
+    if (question) this.#ask(this.#summary, question);
+    this.#fade(this.#summary, question ? ASKING_MS : SHOWN_MS);
     const absent = absentSentence(opened);
     this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
   }
@@ -130,12 +140,20 @@ export class Messages implements Notifier {
     return message;
   }
 
+  /** Below what was opened; without a connection the panel has the same. */
+  #ask(message: HTMLElement, question: () => Promise<HTMLElement>): void {
+    question().then(
+      (element) => message.append(element),
+      () => undefined,
+    );
+  }
+
   /** Waits while the message is under the pointer, has the focus, or shows its details. */
-  #fade(message: HTMLElement): void {
+  #fade(message: HTMLElement, time: number): void {
     setTimeout(() => {
-      if (message.matches(':hover, :focus-within, :has([open])')) this.#fade(message);
+      if (message.matches(':hover, :focus-within, :has([open])')) this.#fade(message, time);
       else message.remove();
-    }, SHOWN_MS);
+    }, time);
   }
 }
 

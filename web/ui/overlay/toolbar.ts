@@ -86,8 +86,13 @@ const TURN = 'M16.500 10a6.500 4 0 1 1-2.500-3.100M14 3.500v3.500h-3.500';
 const UNDO = 'M8 4L4 8l4 4M4 8h8a4 4 0 0 1 0 8H8';
 const REDO = 'M12 4l4 4-4 4M16 8H8a4 4 0 0 0 0 8h4';
 
-/** `open`: the workspace whose tools are there too. `cut`: cuts what has an inside open. */
-export function toolbar(session: Session, tool: Signal<Tool>, open: Signal<Workspace>, cut: () => void): HTMLElement {
+/** `open`: the workspace whose tools are there too; null where there are none. `cut`: cuts what has an inside open. */
+export function toolbar(
+  session: Session,
+  tool: Signal<Tool>,
+  open: Signal<Workspace> | null,
+  cut: () => void,
+): HTMLElement {
   const { scene, view, paused } = session;
   const toolButton = ({ tool: which, name, tip, path }: ToolButton) => {
     const choose = () => {
@@ -101,13 +106,13 @@ export function toolbar(session: Session, tool: Signal<Tool>, open: Signal<Works
   const tip = t`${t('Fill the surface, or cut it open')} (${'I'})`;
   const cutting = h('button', { class: 'tool', title: tip, onclick: cut }, icon(CUT), h('span', {}, t('Cut')));
   session.scene.subscribe(({ inside }) => cutting.setAttribute('aria-pressed', String(inside.cut !== 'none')));
-  const groups = WORKSPACES.map((workspace) => {
+  const groups = (open ? WORKSPACES : []).map((workspace) => {
     const own = (TOOLS_OF[workspace] ?? []).map(toolButton);
     const group = h('div', { class: 'tools-of', role: 'group' }, ...own, ...(workspace === 'inside' ? [cutting] : []));
     if (group.childElementCount === 0) return null;
     attribute(group, 'aria-label', t('Tools of the workspace'));
     group.classList.toggle('drawing', workspace === 'scene');
-    open.watch((value) => (group.hidden = value !== workspace));
+    open?.watch((value) => (group.hidden = value !== workspace));
     return group;
   });
   const undo = plain(t('Undo'), t('Undo (ctrl + Z)'), UNDO, () => scene.undo());
