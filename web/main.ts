@@ -51,6 +51,7 @@ import { MeasureSection } from './ui/panel/measure';
 import { solverSection } from './ui/panel/solver';
 import { sourcesSection } from './ui/panel/sources';
 import { expose } from './ui/scripting';
+import { Stage } from './ui/stage/stage';
 import { followTheme } from './view/theme';
 import { View } from './view/view';
 import { t } from './texts';
@@ -86,12 +87,14 @@ const measure = new MeasureInput(session, tool);
 const measuring = new MeasureSection(session, measure, tool);
 const comparing = new CompareSection(session);
 const draw = new DrawInput(session, tool);
+const over = new Stage(session);
 const corners = new LineCorners(session, draw);
 const frames = new Frames(session, crowd, () => {
   handle.follow();
   comparing.follow();
   measuring.follow();
   corners.follow();
+  over.follow();
 });
 const cameraMoved = () => frames.cameraMoved();
 const fail = session.fail.bind(session);
@@ -115,6 +118,7 @@ const keys = new Keys({
   ground,
   measure,
   draw,
+  stage: over,
   cameraMoved,
   chooseFile: dialogue.choose,
   help,
@@ -161,7 +165,13 @@ if (!address.kiosk) {
     { id: 'solver', title: t('Solver'), element: solverSection(session), open: false },
     { id: 'compare', title: t('Compare'), element: () => comparing.element(), open: false },
     { id: 'style', formerId: 'look', title: t('Style'), element: styleSection(session), open: true },
-    { id: 'display', formerId: 'show', title: t('Display'), element: displaySection(session), open: false },
+    {
+      id: 'display',
+      formerId: 'show',
+      title: t('Display'),
+      element: displaySection(session, over.legend),
+      open: false,
+    },
     { id: 'charts', title: t('Charts'), element: chartsSection(session, measuring.measured), open: false },
     { id: 'numbers', title: t('Numbers'), element: numbersSection(session), open: false },
     {
@@ -212,9 +222,11 @@ expose(
     await crowd.settled();
     await measuring.settled();
     await comparing.settled();
+    await over.load();
   },
   () => measuring.figures,
 );
+void first.promise.then(() => over.load());
 void keepForOffline(() => window.heatwalk.settled());
 // Only in a frame is there anybody to answer.
 if (window.parent !== window) {

@@ -9,21 +9,24 @@ export const canRecord = 'MediaRecorder' in globalThis && 'captureStream' in HTM
 const FRAMES_A_SECOND = 60;
 const BITS_A_SECOND = 12_000_000;
 
-/** A PNG of the view with its overprints, `scale` times as large as on the screen. */
-export async function png(view: View, scale: number, clear: boolean): Promise<Blob> {
+/** A PNG of the view with its overprints and, if `captioned`, its captions, `scale` times as large as on the screen. */
+export async function png(view: View, scale: number, clear: boolean, captioned: boolean): Promise<Blob> {
   const picture = await view.capture(scale, clear);
   const canvas = new OffscreenCanvas(picture.width, picture.height);
-  const context = canvas.getContext('2d');
+  // Pixels come and go: a graphics device would gain nothing, and some leave traces around shapes that they draw.
+  const context = canvas.getContext('2d', { willReadFrequently: true });
   if (!context) throw new Failure(t('This browser cannot write the image into a file. Try another browser.'));
   context.putImageData(picture, 0, 0);
-  if (view.overprints.length > 0) {
-    const { left, top, width, height } = view.stage.getBoundingClientRect();
-    const [x, y] = view.centre;
-    context.scale(picture.width / width, picture.height / height);
-    // Pictures have no panel beside the model.
-    context.translate(left + width / 2 - x, top + height / 2 - y);
-    for (const print of view.overprints) print(context);
-  }
+  const { left, top, width, height } = view.stage.getBoundingClientRect();
+  const [x, y] = view.centre;
+  const pixels = picture.width / width;
+  context.scale(pixels, picture.height / height);
+  context.save();
+  // Pictures have no panel beside the model.
+  context.translate(left + width / 2 - x, top + height / 2 - y);
+  for (const print of view.overprints) print(context);
+  context.restore();
+  if (captioned) for (const print of view.captions) print(context, width, height, pixels);
   return canvas.convertToBlob({ type: 'image/png' });
 }
 

@@ -3,6 +3,18 @@ import type { Texts } from '../translate';
 
 export const PAGE: Texts = {
   'Position of the cut': 'Position de la coupe',
+  'Legend.': 'Légende.',
+  'Legend. Arrow keys move it, L hides it.': 'Légende. Les flèches la déplacent, L la cache.',
+  'Drag to move, L to hide': 'Glisser pour déplacer, L pour cacher',
+  'Least cost': 'Moindre coût',
+  'Relative error': 'Erreur relative',
+  'Heat (log scale)': 'Chaleur (échelle log.)',
+  '{0} ({1}, assumed)': '{0} ({1}, supposé)',
+  '{0}: from {1} to {2}, by color.': '{0} : de {1} à {2}, par couleur.',
+  'Stripes {0} apart': 'Bandes tous les {0}',
+  'Lines {0} apart': 'Lignes tous les {0}',
+  'Scale bar: {0}.': 'Échelle : {0}.',
+  'Up is {0}.': 'Le haut est {0}.',
   'Maximum distance {0}.': 'Distance maximale {0}.',
   'Path {0}.': 'Chemin {0}.',
   'Keys, gestures, documents (?)': 'Touches, gestes, documents (?)',

@@ -94,6 +94,9 @@ export const PANEL: Texts = {
   'Inactive parts (scenery)': 'Pièces inactives (décor)',
   'Mesh edges': 'Arêtes du maillage',
   'Boundary edges': 'Arêtes de bord',
+  Legend: 'Légende',
+  'What the colors mean, a scale bar and the axes of the file (L)':
+    'Ce que disent les couleurs, une échelle et les axes du fichier (L)',
   Contacts: 'Contacts',
   'Operator edges': 'Arêtes de l’opérateur',
   Isolines: 'Isolignes',

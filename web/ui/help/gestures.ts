@@ -63,6 +63,8 @@ export const GESTURES: readonly Gesture[] = [
     keys: 'I , .',
   },
   { what: t('Turn the next axis up'), mouse: t('Display section'), touch: t('Display section'), keys: 'U' },
+  { what: t('Legend on or off'), mouse: t('Display section'), touch: t('Display section'), keys: 'L' },
+  { what: t('Move the legend'), mouse: t('drag'), touch: t('drag'), keys: t('Tab arrows') },
   { what: t('Open a file'), mouse: t('drop it, or paste it'), touch: t('button'), keys: 'O' },
   { what: t('Undo, redo'), mouse: t('buttons'), touch: t('buttons'), keys: t('Ctrl+Z Ctrl+Shift+Z') },
   { what: t('Cancel, close, back out'), mouse: t('button'), touch: t('button'), keys: t('Esc') },

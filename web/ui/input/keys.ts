@@ -14,6 +14,7 @@ import { draws, type Tool } from '../../state/tool';
 import type { DrawInput } from './draw';
 import type { MeasureInput } from '../measure/input';
 import { isHeard } from '../shortcuts';
+import type { Stage } from '../stage/stage';
 import { isTyping } from './typing';
 
 const ORBIT_PX = 24;
@@ -42,6 +43,7 @@ export interface KeysOptions {
   ground: GroundEditor;
   measure: MeasureInput;
   draw: DrawInput;
+  stage: Pick<Stage, 'key'>;
   chooseFile: () => void;
   help: () => void;
   /** Fills the surface. */
@@ -120,6 +122,7 @@ export class Keys {
     else if (event.key === ']') this.#resizeBrush(BRUSH_STEP);
     else if (event.key.toLowerCase() === 'u') this.#turn();
     else if (event.key.toLowerCase() === 'i') this.#openUp();
+    else if (this.#o.stage.key(event.key)) return true;
     else if (event.key === ',') this.#moveCut(-CUT_STEP);
     else if (event.key === '.') this.#moveCut(CUT_STEP);
     else if (event.key === 'Delete' || event.key === 'Backspace') return removeSelected(session.scene);

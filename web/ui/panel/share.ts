@@ -109,7 +109,7 @@ function imageControls(session: Session): HTMLElement[] {
   const { button, run } = worker(t('Save image'), t('A PNG of the view'));
   button.addEventListener('click', () =>
     run(session, async () =>
-      save(await png(session.view, Number(scale), !background), `${fileNameOf(session.shown.value)}.png`),
+      save(await png(session.view, Number(scale), !background, true), `${fileNameOf(session.shown.value)}.png`),
     ),
   );
   return [size.element, behind.element, button];
