@@ -180,7 +180,12 @@ if (!address.kiosk) {
       element: () => import('./ui/panel/export').then(({ exportSection }) => exportSection(session)),
       open: false,
     },
-    { id: 'share', title: t('Share and export'), element: shareSection(session, () => address.link()), open: false },
+    {
+      id: 'share',
+      title: t('Share and export'),
+      element: shareSection(session, () => address.link(), frames),
+      open: false,
+    },
   ];
   panel = buildPanel(sections);
   page.append(panel);
