@@ -87,7 +87,7 @@ const measure = new MeasureInput(session, tool);
 const measuring = new MeasureSection(session, measure, tool);
 const comparing = new CompareSection(session);
 const draw = new DrawInput(session, tool);
-const over = new Stage(session);
+const over = new Stage(session, () => frames.cameraMoved());
 const corners = new LineCorners(session, draw);
 const frames = new Frames(session, crowd, () => {
   handle.follow();
@@ -129,7 +129,7 @@ const keys = new Keys({
 followPaste(opener);
 followLaunches(openFiles);
 
-const bar = toolbar(session, tool);
+const bar = toolbar(session, tool, over);
 page.append(
   comparing.layer,
   heading(session, help),

@@ -175,3 +175,44 @@ for (const [width, height] of [
     }
   });
 }
+
+test('views are chosen by a menu, by mouse and keyboard, and by keys', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=bunny');
+  const looks = async () => {
+    await heatwalk.rest();
+    return (await page.evaluate(() => window.heatwalk.camera))?.slice(0, 2);
+  };
+  const button = page.getByRole('button', { name: 'Views' });
+  const menu = page.getByRole('menu', { name: 'Views' });
+  await button.click();
+  await menu.getByRole('menuitem', { name: 'Top' }).click();
+  await expect(menu).toBeHidden();
+  expect(await looks()).toEqual([0, Math.PI / 2]);
+  // It is in the link.
+  await expect.poll(async () => (await heatwalk.scene()).camera?.[1]).toBe(Math.PI / 2);
+
+  await button.focus();
+  await page.keyboard.press('Enter');
+  await expect(menu.getByRole('menuitem', { name: 'Front' })).toBeFocused();
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  expect(await looks()).toEqual([Math.PI / 2, 0]);
+  await expect(button).toBeFocused();
+  await page.keyboard.press('Enter');
+  await expect(menu).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(menu).toBeHidden();
+
+  await page.keyboard.press('8');
+  await expect.poll(looks).toEqual([0, 0]);
+  // All of the model is seen.
+  const box = await page.locator('.stage').boundingBox();
+  for (const vertex of [0, 500, 1000, 1500]) {
+    const [x, y] = await heatwalk.pixelOf({ vertex });
+    expect(x > 0 && x < (box?.width ?? 0) && y > 0 && y < (box?.height ?? 0)).toBe(true);
+  }
+  await page.keyboard.press('x');
+  await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(true);
+  await page.keyboard.press('x');
+  await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(false);
+});

@@ -4,6 +4,14 @@ import type { Texts } from '../translate';
 export const PAGE: Texts = {
   'Position of the cut': 'Position de la coupe',
   'Legend.': 'Légende.',
+  Views: 'Vues',
+  'Front, side, top (8 9 0), full screen (X)': 'Face, côté, dessus (8 9 0), plein écran (X)',
+  Front: 'Face',
+  Side: 'Côté',
+  Top: 'Dessus',
+  Fit: 'Cadrer',
+  'Full screen': 'Plein écran',
+  'Leave full screen': 'Quitter le plein écran',
   'Legend. Arrow keys move it, L hides it.': 'Légende. Les flèches la déplacent, L la cache.',
   'Drag to move, L to hide': 'Glisser pour déplacer, L pour cacher',
   'Least cost': 'Moindre coût',
@@ -194,8 +202,10 @@ export const PAGE: Texts = {
   'The clipboard is not available. Save the table as CSV.':
     'Le presse-papiers n’est pas disponible. Enregistrez la table en CSV.',
   'Table 1 of the report': 'Table 1 du rapport',
-  'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of the same numbers of triangles.':
-    'Le gradient conjugué (CG) face aux facteurs de Cholesky, par la méthode du rapport, sur des modèles d’autant de triangles.',
+  'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of the same numbers of triangles. The report measured by ALGLIB in C# on a laptop of 2015.':
+    'Le gradient conjugué (CG) face aux facteurs de Cholesky, par la méthode du rapport, sur des modèles d’autant de triangles. Le rapport a mesuré par ALGLIB en C# sur un ordinateur portable de 2015.',
+  Here: 'Ici',
+  Report: 'Rapport',
   Times: 'Temps',
   '{0}, line {1}': '{0}, ligne {1}',
   '{0}: give a triangle and its cost, such as 12,2.5; or a triangle alone for a wall.':

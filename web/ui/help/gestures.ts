@@ -18,6 +18,8 @@ export const GESTURES: readonly Gesture[] = [
   },
   { what: t('Zoom'), mouse: t('wheel'), touch: t('pinch'), keys: '+ −' },
   { what: t('Frame the model'), mouse: t('double-click focuses a point'), touch: t('button'), keys: 'F' },
+  { what: t('From the front, the side, above'), mouse: t('button'), touch: t('button'), keys: '8 9 0' },
+  { what: t('Full screen'), mouse: t('button'), touch: t('button'), keys: 'X' },
   { what: t('Turntable'), mouse: t('button'), touch: t('button'), keys: 'T' },
   { what: t('Set the source'), mouse: t('click'), touch: t('tap'), keys: t('Enter') },
   { what: t('Add a source'), mouse: t('ctrl + click'), touch: t('tap with the Add tool'), keys: t('Shift+Enter') },

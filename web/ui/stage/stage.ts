@@ -3,18 +3,24 @@ import type { Session } from '../../session/session';
 import { Signal } from '../../state/signal';
 import { remember, remembered } from '../memory';
 import type { Legend } from './legend';
+import type { ViewName } from './views';
 
 const MEMORY = 'heatwalk.legend';
+
+const VIEW_KEYS: Readonly<Record<string, ViewName>> = { '8': 'front', '9': 'side', '0': 'top', x: 'screen' };
 
 export class Stage {
   /** Whether there is a legend. */
   readonly legend = new Signal(remembered(MEMORY) !== 'off');
   readonly #session: Session;
+  readonly #moved: () => void;
   #loading: Promise<void> | null = null;
   #shown: Legend | null = null;
 
-  constructor(session: Session) {
+  /** `moved`: called where the camera moves. */
+  constructor(session: Session, moved: () => void) {
     this.#session = session;
+    this.#moved = moved;
     this.legend.watch((on) => remember(MEMORY, on ? 'on' : 'off'));
   }
 
@@ -40,8 +46,23 @@ export class Stage {
 
   /** Whether it is a key of the stage. */
   key(key: string): boolean {
-    if (key.toLowerCase() !== 'l') return false;
-    this.legend.value = !this.legend.value;
+    const view = VIEW_KEYS[key.toLowerCase()];
+    if (view) this.show(view);
+    else if (key.toLowerCase() === 'l') this.legend.value = !this.legend.value;
+    else return false;
     return true;
+  }
+
+  readonly show = (name: ViewName): void => {
+    this.#views(({ show }) => show(name, this.#session, this.#moved));
+  };
+
+  /** Opens the menu of views at its button, or closes it. */
+  readonly menu = (button: HTMLElement): void => {
+    this.#views(({ toggleMenu }) => toggleMenu(button, this.show));
+  };
+
+  #views(use: (views: typeof import('./views')) => void | Promise<void>): void {
+    import('./views').then(use).catch((error: unknown) => this.#session.fail(error));
   }
 }
