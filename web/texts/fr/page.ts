@@ -4,6 +4,8 @@ import type { Texts } from '../translate';
 export const PAGE: Texts = {
   'Position of the cut': 'Position de la coupe',
   'Legend.': 'Légende.',
+  'Tape {0}: {1}.': 'Ruban {0} : {1}.',
+  'Tape {0}: {1}, {2}.': 'Ruban {0} : {1}, {2}.',
   Views: 'Vues',
   'Front, side, top (8 9 0), full screen (X)': 'Face, côté, dessus (8 9 0), plein écran (X)',
   Front: 'Face',
