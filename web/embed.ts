@@ -99,7 +99,7 @@ export interface Methods {
   /** Likewise; null without a walker, or where no source reaches it. */
   path: { ask: Record<never, never>; answer: Path | null };
   /** Likewise; a PNG, `scale` (1 to 4) times as large as the frame, without the background if `clear`. */
-  picture: { ask: { scale?: number; clear?: boolean }; answer: Blob };
+  picture: { ask: { scale?: number; clear?: boolean; legend?: boolean }; answer: Blob };
 }
 
 export type Method = keyof Methods;
@@ -185,7 +185,7 @@ export class EmbeddedHeatwalk extends EventTarget {
     return this.ask('path', {});
   }
 
-  picture(wanted: { scale?: number; clear?: boolean } = {}): Promise<Blob> {
+  picture(wanted: { scale?: number; clear?: boolean; legend?: boolean } = {}): Promise<Blob> {
     return this.ask('picture', wanted);
   }
 

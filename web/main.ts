@@ -41,6 +41,7 @@ import { workspacePanel } from './ui/panel/workspaces';
 import { CompareSection } from './ui/panel/compare';
 import { MeasureSection } from './ui/panel/measure';
 import { expose } from './ui/scripting';
+import { Stage } from './ui/stage/stage';
 import { followTheme } from './view/theme';
 import { View } from './view/view';
 import { t } from './texts';
@@ -77,12 +78,14 @@ const measure = new MeasureInput(session, tool);
 const measuring = new MeasureSection(session, measure, tool);
 const comparing = new CompareSection(session);
 const draw = new DrawInput(session, tool);
+const over = new Stage(session, () => frames.cameraMoved());
 const corners = new LineCorners(session, draw);
 const frames = new Frames(session, crowd, () => {
   handle.follow();
   comparing.follow();
   measuring.follow();
   corners.follow();
+  over.follow();
 });
 const cameraMoved = () => frames.cameraMoved();
 const fail = session.fail.bind(session);
@@ -119,6 +122,7 @@ const commands = commandsOf({
   opener,
   ground,
   tool,
+  stage: over,
   chooseFile: dialogue.choose,
   chooseFolder: folders.choose,
   help,
@@ -140,7 +144,7 @@ const keys = new Keys({
 followPaste(opener);
 followLaunches(openFiles);
 
-const bar = toolbar(session, tool, address.kiosk ? null : workspace, () => cutOpen(session, opener));
+const bar = toolbar(session, tool, over, address.kiosk ? null : workspace, () => cutOpen(session, opener));
 page.append(
   comparing.layer,
   heading(session, { open: menu, search, share: address.kiosk ? null : () => panel?.show('share'), help }),
@@ -173,6 +177,8 @@ if (!address.kiosk) {
     chooseFile: dialogue.choose,
     chooseFolder: folders.choose,
     link: () => address.link(),
+    frames,
+    legend: over.legend,
   };
   panel = workspacePanel(parts, workspace, first.promise);
   page.append(panel.element);
@@ -214,9 +220,11 @@ expose(
     await crowd.settled();
     await measuring.settled();
     await comparing.settled();
+    await over.load();
   },
   () => measuring.figures,
 );
+void first.promise.then(() => over.load());
 void keepForOffline(() => window.heatwalk.settled());
 // Only in a frame is there anybody to answer.
 if (window.parent !== window) {

@@ -7,6 +7,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme });
     await heatwalk.open('#v=1&m=hemisphere&tape=10,200,400!&vs=b:dirichlet,at:0.4');
     await heatwalk.settled();
+    await expect(page.getByRole('region', { name: 'Legend' })).toBeVisible();
     expect(await violations(page)).toEqual([]);
     // Fetched when they are seen first.
     await (await openSection(page, 'charts')).scrollIntoViewIfNeeded();

@@ -104,8 +104,8 @@ test('an image of twice the size of the window is saved', async ({ heatwalk, pag
 });
 
 /** What the browser decodes of a video at shares of its length. */
-async function frames(page: Page, file: Buffer, shares: readonly number[]): Promise<PNG[]> {
-  const pictures = await page.evaluate(
+async function frames(page: Page, file: Buffer, shares: readonly number[]): Promise<{ seconds: number; seen: PNG[] }> {
+  const { seconds, pictures } = await page.evaluate(
     async ([base64, places]) => {
       const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
       const video = document.createElement('video');
@@ -115,7 +115,7 @@ async function frames(page: Page, file: Buffer, shares: readonly number[]): Prom
           video.addEventListener('error', () => reject(new Error(video.error?.message)), { once: true });
         });
       const loaded = told('loadeddata');
-      video.src = URL.createObjectURL(new Blob([bytes], { type: 'video/webm' }));
+      video.src = URL.createObjectURL(new Blob([bytes]));
       await loaded;
       const canvas = document.createElement('canvas');
       [canvas.width, canvas.height] = [video.videoWidth, video.videoHeight];
@@ -133,11 +133,11 @@ async function frames(page: Page, file: Buffer, shares: readonly number[]): Prom
         } while (context.getImageData(0, 0, 1, 1).data[3] === 0);
         seen.push(canvas.toDataURL().replace(/^[^,]*,/, ''));
       }
-      return seen;
+      return { seconds: video.duration, pictures: seen };
     },
     [file.toString('base64'), shares] as const,
   );
-  return pictures.map((base64) => PNG.sync.read(Buffer.from(base64, 'base64')));
+  return { seconds, seen: pictures.map((base64) => PNG.sync.read(Buffer.from(base64, 'base64'))) };
 }
 
 /** Mean difference of the channels, 0 to 255, over the pixels within `reach` of a place; without one over all. */
@@ -162,17 +162,24 @@ for (const [subject, tag] of [
     // Motion is unwelcome, but the user asked for the video, so it moves all the same.
     await heatwalk.open('#v=1&m=teapot');
     await heatwalk.settled();
-    const still = await heatwalk.picture();
     const { walker } = await heatwalk.scene();
     if (!walker) throw new Error('nobody walks');
-    const start = await heatwalk.pixelOf(walker);
+    // Videos are centered on the model, as pictures for scripts are.
+    const [[x, y], [x0, y0]] = [await heatwalk.pixelOf(walker), await page.evaluate(() => window.heatwalk.centre)];
+    const start = [x + 760 / 2 - x0, y + 420 / 2 - y0] as const;
+    await page.keyboard.press('l');
+    const still = await heatwalk.drawing(1, false);
     await openSection(page, 'share');
     await page.getByLabel('Video').selectOption(subject);
-    const saving = page.waitForEvent('download', { timeout: 60_000 });
+    test.slow();
+    const saving = page.waitForEvent('download', { timeout: 240_000 });
     await page.getByRole('button', { name: 'Save video' }).click();
     const download = await saving;
-    expect(download.suggestedFilename()).toBe('teapot.webm');
-    const [half, last] = await frames(page, fs.readFileSync(await download.path()), [0.5, 1]);
+    expect(download.suggestedFilename()).toMatch(/^teapot\.(mp4|webm)$/);
+    const { seconds, seen } = await frames(page, fs.readFileSync(await download.path()), [0.5, 0.98]);
+    const [half, last] = seen;
+    if (subject === 'Turntable') expect(seconds).toBeCloseTo(8, 2);
+    await expect(page.getByText(`Saved: ${seconds.toFixed(1)} s, 30 frames a second.`)).toBeVisible();
     // Nothing but what was asked for moves; compression alone makes a difference of 0.8.
     const [low, high] = subject === 'Turntable' ? [2, 10] : [0, 1.5];
     for (const frame of [half, last]) {
@@ -184,7 +191,24 @@ for (const [subject, tag] of [
   });
 }
 
-test('labels of tapes are in videos', { tag: ['@page', '@slow'] }, async ({ heatwalk, page }) => {
+test('a video is cancelled, and what moves goes on by the clock', { tag: '@page' }, async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=teapot');
+  await heatwalk.settled();
+  const before = await page.evaluate(() => window.heatwalk.camera);
+  await openSection(page, 'share');
+  await page.getByRole('button', { name: 'Save video' }).click();
+  await expect.poll(() => page.evaluate(() => window.heatwalk.camera)).not.toEqual(before);
+  await page.getByRole('button', { name: 'Cancel', exact: true }).click();
+  await expect(page.getByText('Cancelled.')).toBeVisible();
+  expect(await page.evaluate(() => window.heatwalk.camera)).toEqual(before);
+  await expect(page.getByRole('button', { name: 'Save video' })).toBeVisible();
+  // Nothing of it is in the scene, and the turntable turns.
+  expect((await heatwalk.scene()).camera).toBeNull();
+  await page.keyboard.press('t');
+  await expect.poll(() => page.evaluate(() => window.heatwalk.camera?.[0])).not.toBe(before?.[0]);
+});
+
+test('labels of tapes and the legend are in videos', { tag: ['@page', '@slow'] }, async ({ heatwalk, page }) => {
   await page.setViewportSize({ width: 760, height: 420 });
   await heatwalk.open('#m=torus&method=auto&tape=7264,2998');
   await heatwalk.settled();
@@ -192,13 +216,21 @@ test('labels of tapes are in videos', { tag: ['@page', '@slow'] }, async ({ heat
   await expect(label).toHaveText(/\d/);
   const box = await label.boundingBox();
   if (!box) throw new Error('the tape has no label');
-  const still = await heatwalk.picture();
+  const centre = await page.evaluate(() => window.heatwalk.centre);
+  const still = await heatwalk.drawing(1, false);
   await openSection(page, 'share');
   await page.getByLabel('Video').selectOption('The walk');
-  const saving = page.waitForEvent('download', { timeout: 60_000 });
+  test.slow();
+  const saving = page.waitForEvent('download', { timeout: 240_000 });
   await page.getByRole('button', { name: 'Save video' }).click();
-  // Nothing but the walker moves; the label is none of the canvas.
-  const [last] = await frames(page, fs.readFileSync(await (await saving).path()), [1]);
-  const at = [box.x + box.width / 2, box.y + box.height / 2] as const;
-  expect(meanDifference(still, last, at, 6)).toBeGreaterThan(20);
+  // Pictures for scripts have the label and no legend.
+  const { seen } = await frames(page, fs.readFileSync(await (await saving).path()), [0.98]);
+  const shift = [760 / 2 - centre[0], 420 / 2 - centre[1]];
+  const at = [box.x + box.width / 2 + shift[0], box.y + box.height / 2 + shift[1]] as const;
+  expect(meanDifference(still, seen[0], at, 6)).toBeLessThan(8);
+  expect(meanDifference(still, seen[0], [40, 60], 24)).toBeGreaterThan(8);
+  await page.evaluate(() => (location.hash = '#m=torus&method=auto'));
+  await expect(label).toHaveCount(0);
+  await heatwalk.settled();
+  expect(meanDifference(await heatwalk.drawing(1, false), seen[0], at, 6)).toBeGreaterThan(20);
 });

@@ -9,7 +9,7 @@ const fingers = (spread: number) => [
 /** What floats over the model and is not in the window as a whole. */
 function outside(page: Page): Promise<string[]> {
   return page.evaluate(() =>
-    [...document.querySelectorAll('button, header, .toolbar, .panel, .message, .hint')]
+    [...document.querySelectorAll('button, header, .toolbar, .panel, .message, .hint, .legend')]
       .filter((element) => element.checkVisibility() && !element.closest('.panel-body'))
       .filter((element) => {
         const { left, top, right, bottom } = element.getBoundingClientRect();

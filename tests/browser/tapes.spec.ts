@@ -60,6 +60,23 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone, sha
   await expect.poll(async () => (await tapes(heatwalk))[0].area).toBeCloseTo(0.125, 2);
   expect(await heatwalk.solves()).toBe(solves);
 
+  // No label lies on another one, and a screen reader is told.
+  const meeting = () =>
+    page.locator('.tape-label > span').evaluateAll((labels) => {
+      const boxes = labels.map((label) => label.getBoundingClientRect());
+      return boxes.flatMap((a, i) =>
+        boxes.slice(i + 1).filter((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom),
+      ).length;
+    });
+  expect(await meeting()).toBe(0);
+  await expect(page.locator('.tape-layer [aria-live]')).toHaveText(/^Tape 1: 1\.7\d m, area 0\.12\d? m²\.$/);
+  // From far away all of them are in one place.
+  await page.evaluate(() => document.querySelector('.stage')?.dispatchEvent(new WheelEvent('wheel', { deltaY: 1500 })));
+  await heatwalk.rest();
+  expect(await meeting()).toBe(0);
+  await page.keyboard.press('f');
+  await heatwalk.rest();
+
   const section = await openSection(page, 'measure');
   await expect(section).toContainText('Area enclosed: 0.12');
   await expect(section.getByRole('row')).toHaveCount(5);

@@ -20,13 +20,13 @@ test('the table is that of the report: one step of heat in squared mean edges, a
 
 test('times are told to a tenth of a millisecond in Markdown, and whole in CSV', () => {
   expect(markdownOf([ROW], 'a browser').split('\n').slice(1)).toEqual([
-    '| --- | ---: | ---: | ---: | ---: | ---: |',
-    '| Cow | 5804 | 123 | 12.3 | 9.9 | 0.5 |',
+    '| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |',
+    '| Cow | 5804 | 123 | 12.3 | 9.9 | 0.5 | 62.0 | 109 | 335 | 16.0 |',
     '',
-    'Measured by Heatwalk in a browser.',
+    'Measured by Heatwalk in a browser. Report: ALGLIB in C# on a laptop of 2015.',
     '',
   ]);
-  expect(csvOf([ROW]).split('\r\n')[1]).toBe('Cow,5804,123.4,12.34,9.87,0.51');
+  expect(csvOf([ROW]).split('\r\n')[1]).toBe('Cow,5804,123.4,12.34,9.87,0.51,62,109,335,16');
 });
 
 test('the median is the middle one, or between the middle two', () => {

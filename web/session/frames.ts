@@ -1,5 +1,7 @@
 /** The loop of frames, and the moment at which a moved camera has come to rest. */
 import { toError } from '../error';
+import { isSameMoment } from '../solver/engine';
+import { until } from '../state/signal';
 import { Resolution } from '../view/resolution';
 import type { CrowdWalk } from './crowd';
 import type { Session } from './session';
@@ -27,6 +29,8 @@ export class Frames {
   #moved = performance.now();
   /** What went wrong in a frame last. */
   #reported = '';
+  /** Whether a video is drawn, which has a clock of its own. */
+  #isHeld = false;
   /** Where the camera was a frame ago, while a camera move still settles. */
   #settling: string | null = null;
 
@@ -53,6 +57,28 @@ export class Frames {
     });
   }
 
+  /** Leaves all that moves by itself to `advance` until a work is done. */
+  async hold<T>(work: () => Promise<T>): Promise<T> {
+    this.#isHeld = true;
+    try {
+      return await work();
+    } finally {
+      this.#isHeld = false;
+      // What was moved for the work alone is not at rest.
+      this.#settling = null;
+    }
+  }
+
+  /** Takes what moves by itself further, and resolves when it is drawn. */
+  async advance(seconds: number): Promise<void> {
+    const { pose, animator, failure, view } = this.#session;
+    this.#crowd.advance(seconds);
+    this.#session.animate(seconds);
+    await this.#crowd.settled();
+    await until(() => isSameMoment(pose.value, animator.moment.value) || failure.value !== null, pose, failure);
+    if (view.render(0)) this.#drawn();
+  }
+
   /** The user moved the camera: once at rest it belongs to the scene. */
   cameraMoved(): void {
     this.#settling = '';
@@ -60,6 +86,12 @@ export class Frames {
 
   #frame(now: number): void {
     const passed = now - this.#last;
+    if (this.#isHeld) {
+      // A pose that was overtaken is asked for again.
+      this.#session.animate(0);
+      this.#last = this.#moved = now;
+      return;
+    }
     // A frame that was slow to draw delays the next one.
     if (this.#drew && passed > SLOW_MS) this.#rests = now + passed;
     if (now >= this.#rests) {

@@ -27,7 +27,10 @@ export interface Row {
   factored: Times;
 }
 
-/** The report's models with its times, by ALGLIB in C# on a laptop of 2015. */
+/** What the report measured with. */
+const DEVICE_OF_REPORT = 'ALGLIB in C# on a laptop of 2015';
+
+/** The report's models with its times. */
 export const REPORT: readonly [ModelOfReport, ...ModelOfReport[]] = [
   reported('High Genus', { preset: 'high_genus' }, 3328, [34, 27], [64, 8.9]),
   reported('Bague', { preset: 'ring' }, 5304, [55, 60], [109, 17]),
@@ -65,11 +68,24 @@ export const HEAD = [
   'CG solve (ms)',
   'Cholesky precompute (ms)',
   'Cholesky solve (ms)',
+  'Report: CG precompute (ms)',
+  'Report: CG solve (ms)',
+  'Report: Cholesky precompute (ms)',
+  'Report: Cholesky solve (ms)',
 ] as const;
 
 /** What a row of the table has under `HEAD`, as numbers. */
-export function cellsOf({ title, triangles, iterated, factored }: Row): (string | number)[] {
-  return [title, triangles, iterated.precompute, iterated.solve, factored.precompute, factored.solve];
+export function cellsOf(row: Row): (string | number)[] {
+  const times = ({ iterated, factored }: Pick<Row, 'iterated' | 'factored'>) =>
+    [iterated, factored].flatMap(({ precompute, solve }) => [precompute, solve]);
+  return [row.title, row.triangles, ...times(row), ...times(reportOf(row))];
+}
+
+/** What the report says of the same model. */
+export function reportOf({ title }: Row): ModelOfReport {
+  const model = REPORT.find((each) => each.title === title);
+  if (!model) throw new Error(`the report has no model ${title}`);
+  return model;
 }
 
 /** To a tenth, which is what browsers measure to. */
@@ -82,7 +98,7 @@ export function markdownOf(rows: readonly Row[], device: string): string {
   const cells = rows.map((row) =>
     cellsOf(row).map((cell, index) => (typeof cell === 'number' && index > 1 ? milliseconds(cell) : String(cell))),
   );
-  return `${markdownTable(HEAD, cells, [0])}\nMeasured by Heatwalk in ${device}.\n`;
+  return `${markdownTable(HEAD, cells, [0])}\nMeasured by Heatwalk in ${device}. Report: ${DEVICE_OF_REPORT}.\n`;
 }
 
 export function csvOf(rows: readonly Row[]): string {

@@ -7,6 +7,7 @@ import { lookInto, turnUp } from '../state/edit';
 import { DEFAULT_FILL, INSIDE_RANGES } from '../state/inside';
 import type { Signal } from '../state/signal';
 import type { Tool } from '../state/tool';
+import type { Stage } from './stage/stage';
 import { t, type Words } from '../texts';
 
 export interface Command {
@@ -22,6 +23,7 @@ export interface CommandsOptions {
   opener: Opener;
   ground: GroundEditor;
   tool: Signal<Tool>;
+  stage: Stage;
   chooseFile: () => void;
   /** Null where the browser opens no folders. */
   chooseFolder: (() => void) | null;
@@ -55,7 +57,7 @@ export function keyOf({ key, ctrlKey, metaKey, altKey, shiftKey }: KeyboardEvent
 }
 
 export function commandsOf(options: CommandsOptions): readonly Command[] {
-  const { session, opener, ground, tool, chooseFile, chooseFolder, help, search } = options;
+  const { session, opener, ground, tool, stage, chooseFile, chooseFolder, help, search } = options;
   const { scene, view } = session;
   return [
     ...TOOLS.map(([which, key, name]) => command(name, [key], () => (tool.value = which))),
@@ -65,6 +67,11 @@ export function commandsOf(options: CommandsOptions): readonly Command[] {
     command(t('Frame the model'), ['f'], () => moved(options, () => view.frame())),
     command(t('Zoom in'), ['+', '='], () => moved(options, () => view.zoom(ZOOM_STEP))),
     command(t('Zoom out'), ['-'], () => moved(options, () => view.zoom(1 / ZOOM_STEP))),
+    command(t('View from the front'), ['8'], () => stage.show('front')),
+    command(t('View from the side'), ['9'], () => stage.show('side')),
+    command(t('View from above'), ['0'], () => stage.show('top')),
+    command(t('Full screen'), ['x'], () => stage.show('screen')),
+    command(t('Legend on or off'), ['l'], toggle(stage.legend)),
     command(t('Turntable'), ['t'], toggle(session.turntable)),
     command(t('Turn the next axis up'), ['u'], () => {
       if (session.shown.value) turnUp(scene, session.shown.value.opened.upright);

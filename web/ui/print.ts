@@ -10,11 +10,16 @@ interface Frame {
 
 /** Prints the text of an element as the element is styled, into a frame. */
 export function printLabel(context: PlaneContext, element: Element, { x, y, width, height }: Frame): void {
-  const { backgroundColor, color, font } = getComputedStyle(element);
+  const { backgroundColor, borderTopColor, borderTopWidth, color, font } = getComputedStyle(element);
   context.beginPath();
   context.roundRect(x, y, width, height, 4);
   context.fillStyle = backgroundColor;
   context.fill();
+  if (borderTopWidth !== '0px') {
+    context.lineWidth = 1;
+    context.strokeStyle = borderTopColor;
+    context.stroke();
+  }
   context.font = font;
   context.fillStyle = color;
   context.textAlign = 'center';

@@ -70,8 +70,11 @@ export interface Heatwalk {
   gradients(kind: FaceField): Promise<Float32Array>;
   /** Logarithm of heat at the drawn vertices, as `Queries.heat` gives it. */
   heat(): Promise<Float32Array>;
-  /** A PNG of the scene once all is settled, `scale` times as large as the window, with a transparent background if `clear`. */
-  picture(scale?: number, clear?: boolean): Promise<Blob>;
+  /**
+   * A PNG of the scene once all is settled, `scale` times as large as the window, with a transparent background if `clear`; with
+   * the legend if `legend`, where the page shows one.
+   */
+  picture(scale?: number, clear?: boolean, legend?: boolean): Promise<Blob>;
   /** The place under a CSS pixel of the window. */
   placeAt(x: number, y: number): MeshPoint | null;
   /** The CSS pixel of the window where a place is seen. */
@@ -163,12 +166,12 @@ export function expose(
     exactDistanceAt: (point) => exactDistanceAt(session, point),
     gradients: async (kind) => openEngine(session).queries.gradients(kind),
     heat: async () => openEngine(session).queries.heat(),
-    async picture(scale = 1, clear = false) {
+    async picture(scale = 1, clear = false, legend = false) {
       await api.settled();
       // What is wanted since the field came is asked for in the next frame.
       await new Promise(requestAnimationFrame);
       await decorated();
-      return png(session.view, scale, clear);
+      return png(session.view, scale, clear, legend);
     },
     placeAt: (x, y) => session.view.pick(x, y)?.point ?? null,
     pixelOf(point) {

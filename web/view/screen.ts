@@ -41,8 +41,6 @@ export abstract class Screen {
   #failed = Number.NEGATIVE_INFINITY;
   /** "WebGPU", "WebGL2", or null while there is none. */
   readonly backend = new Signal<string | null>(null);
-  /** Called after each frame, while the canvas can still be read; null: nobody looks. */
-  looker: (() => void) | null = null;
   /** Why nothing can be drawn. */
   readonly trouble = new Signal<Words | null>(null);
   /** All pixels are drawn, however long a frame takes. */
@@ -229,7 +227,6 @@ export abstract class Screen {
       this.#recovers();
       void this.start();
     }
-    if (drawn) this.looker?.();
     return typeof drawn === 'boolean';
   }
 

@@ -44,6 +44,13 @@ const CAPTURE_MS = 30_000;
 /** Of a shell of equal distance that is seen straight on. */
 const SHELL_OPACITY = 0.35;
 
+/** What the colors of the picture stand for: the largest value, what stripes are apart, and how far they are moved, in periods. */
+interface PaintedField {
+  readonly most: number;
+  readonly period: number;
+  readonly offset: number;
+}
+
 /** Where labels are drawn over a picture. */
 export type PlaneContext = CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D;
 
@@ -56,6 +63,9 @@ export class View extends Screen {
   readonly #awaited = new Set<Layer>();
   /** What saved pictures and videos have over the model, in CSS pixels of the stage. */
   readonly overprints: ((context: PlaneContext) => void)[] = [];
+  /** What they have in a corner: in CSS pixels of the picture, whose size these are, and how many of its own pixels one is. */
+  readonly captions: ((context: PlaneContext, width: number, height: number, pixels: number) => void)[] = [];
+  painted: PaintedField = { most: 0, period: 0, offset: 0 };
   /** What went wrong while drawing goes on. */
   readonly failure = new Signal<Error | null>(null);
 
@@ -174,6 +184,7 @@ export class View extends Screen {
     const field = fields.field ?? NO_FIELD;
     const other = (fields.field && fields.other) ?? NO_FIELD;
     const most = Math.max(field.maxDistance, other.maxDistance);
+    this.painted = { ...this.painted, most };
     this.#show('field', (viewer) => {
       viewer.set_field(field.distance, field.tangents, most, field.byCorner);
       viewer.set_other_field(other.distance, other.tangents, other.byCorner);
@@ -218,6 +229,7 @@ export class View extends Screen {
   /** `whole`: the value that periods are shares of; `facing`: the camera's yaw that the surroundings are made for. */
   setStyle(style: Style, whole: number, facing: number): void {
     const period = style.period * whole;
+    this.painted = { ...this.painted, period };
     const uses = (map: MapName) => style.maps.includes(map);
     const { metalness, roughness } = uses('specular') ? style.stripes : style.surface;
     const { glow } = uses('emission') ? style.stripes : style.surface;
@@ -241,6 +253,7 @@ export class View extends Screen {
 
   /** Moves the pattern away from the sources, in periods. */
   setOffset(periods: number): void {
+    this.painted = { ...this.painted, offset: periods };
     this.#show('offset', (viewer) => viewer.set_offset(periods));
   }
 

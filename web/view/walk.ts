@@ -37,7 +37,7 @@ export class Walk {
 
   /** Walks once from the start; resolves when it has arrived and rested, or when its path ends or another walk begins. */
   perform(): Promise<void> {
-    this.#end();
+    this.end();
     this.#arc = 0;
     this.#rested = 0;
     return new Promise((resolve) => {
@@ -45,7 +45,8 @@ export class Walk {
     });
   }
 
-  #end(): void {
+  /** Ends a performance, if there is one. */
+  end(): void {
     this.#applaud?.();
     this.#applaud = null;
   }
@@ -57,7 +58,7 @@ export class Walk {
     this.#costAt = costAt;
     this.#arc = share * length;
     if (fromStart) this.#rested = 0;
-    if (length === 0) this.#end();
+    if (length === 0) this.end();
   }
 
   /** `diameter` of the model sets the speed: where a unit costs 1, one crossing takes seven seconds. True if the walker moved. */
@@ -70,7 +71,7 @@ export class Walk {
     }
     this.#rested += seconds;
     if (this.#rested < REST_SECONDS) return false;
-    this.#end();
+    this.end();
     this.#arc = 0;
     this.#rested = 0;
     return true;

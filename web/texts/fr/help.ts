@@ -74,6 +74,11 @@ export const HELP: Texts = {
   'drag its handle': 'glisser sa poignée',
   'Turn the next axis up': 'Mettre l’axe suivant en haut',
   'Display section': 'section Affichage',
+  'From the front, the side, above': 'De face, de côté, d’en haut',
+  'Legend on or off': 'Montrer ou cacher la légende',
+  'Move the legend': 'Déplacer la légende',
+  'What the colors mean, a length to compare with, and where the axes of the file point.':
+    'Ce que disent les couleurs, une longueur pour comparer, et où pointent les axes du fichier.',
   'Open a file': 'Ouvrir un fichier',
   'drop it, or paste it': 'le déposer, ou le coller',
   'Undo, redo': 'Annuler, rétablir',

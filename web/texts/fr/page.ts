@@ -3,6 +3,28 @@ import type { Texts } from '../translate';
 
 export const PAGE: Texts = {
   'Position of the cut': 'Position de la coupe',
+  'Legend.': 'Légende.',
+  'Tape {0}: {1}.': 'Ruban {0} : {1}.',
+  'Tape {0}: {1}, {2}.': 'Ruban {0} : {1}, {2}.',
+  Views: 'Vues',
+  'Front, side, top (8 9 0), full screen (X)': 'Face, côté, dessus (8 9 0), plein écran (X)',
+  Front: 'Face',
+  Side: 'Côté',
+  Top: 'Dessus',
+  Fit: 'Cadrer',
+  'Full screen': 'Plein écran',
+  'Leave full screen': 'Quitter le plein écran',
+  'Legend. Arrow keys move it, L hides it.': 'Légende. Les flèches la déplacent, L la cache.',
+  'Drag to move, L to hide': 'Glisser pour déplacer, L pour cacher',
+  'Least cost': 'Moindre coût',
+  'Relative error': 'Erreur relative',
+  'Heat (log scale)': 'Chaleur (échelle log.)',
+  '{0} ({1}, assumed)': '{0} ({1}, supposé)',
+  '{0}: from {1} to {2}, by color.': '{0} : de {1} à {2}, par couleur.',
+  'Stripes {0} apart': 'Bandes tous les {0}',
+  'Lines {0} apart': 'Lignes tous les {0}',
+  'Scale bar: {0}.': 'Échelle : {0}.',
+  'Up is {0}.': 'Le haut est {0}.',
   'Maximum distance {0}.': 'Distance maximale {0}.',
   'Path {0}.': 'Chemin {0}.',
   'Keys, gestures, documents (?)': 'Touches, gestes, documents (?)',
@@ -182,8 +204,10 @@ export const PAGE: Texts = {
   'The clipboard is not available. Save the table as CSV.':
     'Le presse-papiers n’est pas disponible. Enregistrez la table en CSV.',
   'Table 1 of the report': 'Table 1 du rapport',
-  'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of the same numbers of triangles.':
-    'Le gradient conjugué (CG) face aux facteurs de Cholesky, par la méthode du rapport, sur des modèles d’autant de triangles.',
+  'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of the same numbers of triangles. The report measured by ALGLIB in C# on a laptop of 2015.':
+    'Le gradient conjugué (CG) face aux facteurs de Cholesky, par la méthode du rapport, sur des modèles d’autant de triangles. Le rapport a mesuré par ALGLIB en C# sur un ordinateur portable de 2015.',
+  Here: 'Ici',
+  Report: 'Rapport',
   Times: 'Temps',
   '{0}, line {1}': '{0}, ligne {1}',
   '{0}: give a triangle and its cost, such as 12,2.5; or a triangle alone for a wall.':
@@ -537,4 +561,8 @@ export const ARCHIVES: Texts = {
   'In which unit?': 'Dans quelle unité ?',
   'Unit of the file': 'Unité du fichier',
   'Axis that points up': 'Axe qui pointe vers le haut',
+  'View from the front': 'Vue de face',
+  'View from the side': 'Vue de côté',
+  'View from above': 'Vue de dessus',
+  'Legend on or off': 'Légende affichée ou non',
 };

@@ -93,6 +93,9 @@ export const PANEL: Texts = {
   'Inactive parts (scenery)': 'Pièces inactives (décor)',
   'Mesh edges': 'Arêtes du maillage',
   'Boundary edges': 'Arêtes de bord',
+  Legend: 'Légende',
+  'What the colors mean, a scale bar and the axes of the file (L)':
+    'Ce que disent les couleurs, une échelle et les axes du fichier (L)',
   Contacts: 'Contacts',
   'Operator edges': 'Arêtes de l’opérateur',
   Isolines: 'Isolignes',
@@ -363,7 +366,13 @@ export const PANEL: Texts = {
   'A PNG of the view': 'Un PNG de la vue',
   Video: 'Vidéo',
   'Save video': 'Enregistrer la vidéo',
-  'A WebM video of one turn around the model, or of the walk': 'Une vidéo WebM d’un tour du modèle, ou de la marche',
+  'A video of one turn around the model, or of the walk': 'Une vidéo d’un tour du modèle, ou de la marche',
+  'This browser cannot encode videos.': 'Ce navigateur ne sait pas encoder de vidéos.',
+  'This browser has no encoder for videos of this size. Try a smaller window, or another browser.':
+    'Ce navigateur n’a pas d’encodeur pour des vidéos de cette taille. Essayez une fenêtre plus petite ou un autre navigateur.',
+  'There is nothing to record.': 'Il n’y a rien à enregistrer.',
+  'Share of the video drawn': 'Part de la vidéo qui est dessinée',
+  'Saved: {0} s, {1} frames a second.': 'Enregistrée : {0} s, {1} images par seconde.',
   'There is no walker. Alt + click the surface to place one.':
     'Il n’y a pas de marcheur. Alt + clic sur la surface en place un.',
   'Propagation at once, then refined to exact. Nothing is factored.':

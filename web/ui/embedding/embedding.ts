@@ -143,7 +143,7 @@ class Embedding {
         return { answer: path, transferred: path ? [path.points.buffer] : [] };
       }
       case 'picture':
-        return { answer: await api.picture(request.scale, request.clear) };
+        return { answer: await api.picture(request.scale, request.clear, request.legend) };
     }
   }
 

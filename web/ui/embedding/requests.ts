@@ -37,12 +37,13 @@ const PARSERS: { [M in Method]: (given: Fields) => object } = {
   state: () => ({}),
   distances: () => ({}),
   path: () => ({}),
-  picture: ({ scale = 1, clear = false }) => {
+  picture: ({ scale = 1, clear = false, legend = false }) => {
     const [least, most] = SCALES;
     if (typeof scale !== 'number' || !(scale >= least && scale <= most))
       throw new Error(`scale is ${shown(scale)}; a number from ${least} to ${most} is needed.`);
     if (typeof clear !== 'boolean') throw new Error(`clear is ${shown(clear)}; true or false is needed.`);
-    return { scale, clear };
+    if (typeof legend !== 'boolean') throw new Error(`legend is ${shown(legend)}; true or false is needed.`);
+    return { scale, clear, legend };
   },
 };
 

@@ -163,6 +163,10 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
       t('The field in the stripes: distance, heat, or the error of the answer that came first.'),
       'method#heat-does-not-underflow',
     ),
+    Legend: about(
+      t('What the colors mean, a length to compare with, and where the axes of the file point.'),
+      'page#the-stage',
+    ),
     'Inactive parts (scenery)': about(t('Parts of the file that nobody walks on.'), 'page#models-of-several-parts'),
     'Mesh edges': about(t('The triangles of the file.'), 'method#operator-the-intrinsic-delaunay-triangulation'),
     'Boundary edges': about(t('Edges with a triangle on one side only.'), 'method#boundaries'),

@@ -6,13 +6,14 @@ import type { Places } from '../../state/places';
 import { type Vector, distance } from '../../state/vector';
 import { isSameUnit, type LengthUnit, ofModel, unitOf } from '../../length';
 import { legsOf, moved, withoutPlace } from '../../state/tapes';
-import { h } from '../dom';
+import { h, say } from '../dom';
 import { arrowOf, draggable, hasModifier, keyGesture } from '../gesture';
 import { printLabel } from '../print';
 import type { MeasureInput } from './input';
 import { middleOf, polylineOf, positionsOf } from './curves';
+import { apart, type Box } from './placing';
 import { areaLabel, lengthWords } from './words';
-import { t, type Words } from '../../texts';
+import { sentences, t, type Words } from '../../texts';
 import type { PlaneContext } from '../../view/view';
 
 /** The curve, bright on a dark rim, so that it is seen on every color; widths in CSS pixels. */
@@ -25,6 +26,12 @@ const SEEN_WITHIN = 0.02;
 const DRAG_PX = 3;
 const NUDGE_PX = 6;
 
+/** A drag or a key that repeats comes back within; milliseconds. */
+const REST_MS = 700;
+
+/** Of the dot of a place, CSS pixels. */
+const DOT = 12;
+
 /** An element that stands where a place is seen. */
 interface Anchored {
   element: HTMLElement;
@@ -34,7 +41,15 @@ interface Anchored {
 export class TapeLabels {
   readonly #labelLayer = h('div', { class: 'tapes' });
   readonly #placeLayer = h('div', { class: 'tapes' });
-  readonly element = h('div', { role: 'group', 'aria-label': t('Tapes') }, this.#labelLayer, this.#placeLayer);
+  readonly #spoken = h('p', { class: 'unseen', 'aria-live': 'polite' });
+  readonly element = h(
+    'div',
+    { role: 'group', 'aria-label': t('Tapes') },
+    this.#labelLayer,
+    this.#placeLayer,
+    this.#spoken,
+  );
+  #speaking: ReturnType<typeof setTimeout> | undefined;
   readonly #session: Session;
   readonly #tapes: Tapes;
   readonly #input: MeasureInput;
@@ -69,6 +84,33 @@ export class TapeLabels {
       const isBehind = seen !== undefined && distance(seen, position) > SEEN_WITHIN * diameter;
       element.toggleAttribute('data-behind', isBehind);
     }
+    this.#partLabels();
+  }
+
+  /** Moves labels that would lie on each other, or on the places of tapes. */
+  #partLabels(): void {
+    const labels = this.#labels.filter(({ element }) => !element.hidden);
+    const spans = labels.map(({ element }) => element.firstElementChild as HTMLElement);
+    for (const { style } of spans) style.left = style.top = '0';
+    const dots = this.#places.flat().filter(isSeen);
+    const shifts = apart(
+      spans.map((span) => boxOf(span)),
+      dots.map(({ element }) => boxOf(element, DOT)),
+    );
+    spans.forEach((span, i) => {
+      const [x, y] = entry(shifts, i);
+      span.style.left = `${x}px`;
+      span.style.top = `${y}px`;
+    });
+  }
+
+  /** Tells screen readers what tapes measure, once that is at rest. */
+  #speak(unit: LengthUnit): void {
+    clearTimeout(this.#speaking);
+    this.#speaking = setTimeout(() => {
+      if (this.#session.dragging) return;
+      say(this.#spoken, sentences(...this.#tapes.measured.value.map((each, index) => sentenceOf(each, index, unit))));
+    }, REST_MS);
   }
 
   #show(): void {
@@ -95,6 +137,7 @@ export class TapeLabels {
     this.#labels = measured.flatMap((each, index) => labelsOf(each, entry(curves, index), unit, places));
     this.#labelLayer.replaceChildren(...this.#labels.map(({ element }) => element));
     this.follow();
+    this.#speak(unit);
   }
 
   /** Elements stay as long as the counts do: a drag and the focus go on. */
@@ -191,6 +234,20 @@ export class TapeLabels {
 
 function isSeen({ element }: Anchored): boolean {
   return !element.hidden && !element.hasAttribute('data-behind');
+}
+
+/** `size`: of what is seen of it, in its middle; all of it without. */
+function boxOf(element: Element, size?: number): Box {
+  const { left, top, width, height } = element.getBoundingClientRect();
+  return { x: left + width / 2, y: top + height / 2, width: size ?? width, height: size ?? height };
+}
+
+/** Null while a tape has one place. */
+function sentenceOf(measured: MeasuredTape, index: number, unit: LengthUnit): Words | null {
+  if (measured.legs.length === 0) return null;
+  const sum = lengthWords(lengthOf(measured), stateOf(measured), unit);
+  const within = areaLabel(measured, unit);
+  return within ? t`Tape ${index + 1}: ${sum}, ${within}.` : t`Tape ${index + 1}: ${sum}.`;
 }
 
 /** The curve of each leg as it is drawn; empty where there is none. */

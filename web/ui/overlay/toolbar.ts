@@ -3,6 +3,7 @@ import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
 import { type Workspace, WORKSPACES } from '../../state/workspace';
 import { attribute, h, icon } from '../dom';
+import type { Stage } from '../stage/stage';
 import { t, type Words } from '../../texts';
 
 interface ToolButton {
@@ -82,6 +83,7 @@ const CUT = 'M3 6l7-3 7 3v8l-7 3-7-3zM3 6l14 8';
 const PAUSE = 'M7 4v12M13 4v12';
 const PLAY = 'M6 4l10 6-10 6z';
 const FRAME = 'M3 7V3h4M13 3h4v4M17 13v4h-4M7 17H3v-4M10 10v.1';
+const VIEWS = 'M10 2.500l6.500 3.500v8L10 17.500 3.500 14V6zM3.500 6L10 9.500 16.500 6M10 9.500v8';
 const TURN = 'M16.500 10a6.500 4 0 1 1-2.500-3.100M14 3.500v3.500h-3.500';
 const UNDO = 'M8 4L4 8l4 4M4 8h8a4 4 0 0 1 0 8H8';
 const REDO = 'M12 4l4 4-4 4M16 8H8a4 4 0 0 0 0 8h4';
@@ -90,6 +92,7 @@ const REDO = 'M12 4l4 4-4 4M16 8H8a4 4 0 0 0 0 8h4';
 export function toolbar(
   session: Session,
   tool: Signal<Tool>,
+  stage: Pick<Stage, 'menu'>,
   open: Signal<Workspace> | null,
   cut: () => void,
 ): HTMLElement {
@@ -134,6 +137,7 @@ export function toolbar(
     pause.replaceChildren(icon(value ? PLAY : PAUSE));
   });
   const frame = plain(t('Frame'), t('Frame the model (F)'), FRAME, () => view.frame());
+  const views = plain(t('Views'), t('Front, side, top (8 9 0), full screen (X)'), VIEWS, () => stage.menu(views));
   const turn = plain(t('Turntable'), t('Rotate the model (T)'), TURN, () => {
     session.turntable.value = !session.turntable.value;
   });
@@ -151,6 +155,7 @@ export function toolbar(
     pause,
     turn,
     frame,
+    views,
   );
 }
 

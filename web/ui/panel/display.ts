@@ -1,4 +1,5 @@
 import type { Session } from '../../session/session';
+import type { Signal } from '../../state/signal';
 import { LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from '../../state/scene';
 import { AUTOMATIC, UP, type Up, VERTEX_FIELD, type VertexField } from '../../wasm/contract';
 import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
@@ -30,7 +31,7 @@ const UP_WORDS: Record<Up, string> = { y: '+Y', z: '+Z', x: '+X', '-y': '−Y', 
 const CROWD_STEPS = 100;
 
 /** Which field the surface is colored by, which overlays are drawn, the size of the crowd, and which axis points up. */
-export function displaySection(session: Session): HTMLElement {
+export function displaySection(session: Session, isLegendOn: Signal<boolean>): HTMLElement {
   const { scene } = session;
   const colorBy = select(t('Color by'), labelled(VERTEX_FIELD.names, COLOR_BY_WORDS), (value) =>
     scene.edit({ colorBy: value }),
@@ -61,6 +62,9 @@ export function displaySection(session: Session): HTMLElement {
     describe: () => (scene.state.crowd === 0 ? t('none') : count(scene.state.crowd)),
     change: (value, gesture) => scene.edit({ crowd: walkersAt(value) }, gesture),
   });
+  const onStage = toggle(t('Legend'), (on) => (isLegendOn.value = on));
+  attribute(onStage.element, 'title', t('What the colors mean, a scale bar and the axes of the file (L)'));
+  isLegendOn.watch(onStage.show);
   const showLegend = () => {
     say(legend, legendOf(session, scene.state));
     legend.hidden = legend.textContent === '';
@@ -94,6 +98,7 @@ export function displaySection(session: Session): HTMLElement {
     { class: 'stack' },
     colorBy.element,
     legend,
+    onStage.element,
     ...overlays.map(({ element }) => element),
     crowd.element,
     up.element,

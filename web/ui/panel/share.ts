@@ -1,29 +1,27 @@
-import { Failure } from '../../error';
+import type { Frames } from '../../session/frames';
 import type { Session } from '../../session/session';
 import { fitLink } from '../../state/sets';
-import { canRecord, png, save, video } from '../../view/picture';
+import { png, save } from '../../view/picture';
 import { copy } from '../clipboard';
-import { h, say, select, toggle } from '../dom';
+import { h, labelled, say, select, toggle } from '../dom';
 import { fileNameOf } from '../words';
 import { t, type Words } from '../../texts';
 
 const SCALES = ['1', '2', '4'] as const;
 /** What a video can show. */
-const VIDEOS = [
-  ['turn', t('Turntable')],
-  ['walk', t('The walk')],
-] as const;
-const TURN_SECONDS = 8;
+const VIDEOS = ['turn', 'walk'] as const;
+type Subject = (typeof VIDEOS)[number];
+const VIDEO_WORDS: Record<Subject, Words> = { turn: t('Turntable'), walk: t('The walk') };
 
 /** Copies the scene as a link, and saves it as an image or a video. */
-export function shareSection(session: Session, link: () => string): HTMLElement {
+export function shareSection(session: Session, link: () => string, frames: Frames): HTMLElement {
   return h(
     'div',
     { class: 'stack' },
     ...linkControls(session, link),
     ...sceneControls(session),
     ...imageControls(session),
-    ...(canRecord ? videoControls(session) : []),
+    ...videoControls(session, frames),
   );
 }
 
@@ -109,34 +107,31 @@ function imageControls(session: Session): HTMLElement[] {
   const { button, run } = worker(t('Save image'), t('A PNG of the view'));
   button.addEventListener('click', () =>
     run(session, async () =>
-      save(await png(session.view, Number(scale), !background), `${fileNameOf(session.shown.value)}.png`),
+      save(await png(session.view, Number(scale), !background, true), `${fileNameOf(session.shown.value)}.png`),
     ),
   );
   return [size.element, behind.element, button];
 }
 
-function videoControls(session: Session): HTMLElement[] {
-  const { view, walk } = session;
-  let shows: (typeof VIDEOS)[number][0] = 'turn';
-  const subject = select(t('Video'), VIDEOS, (value) => (shows = value));
+function videoControls(session: Session, frames: Frames): HTMLElement[] {
+  if (!('VideoEncoder' in globalThis)) {
+    return [h('p', { class: 'quiet' }, t('This browser cannot encode videos.'))];
+  }
+  let shows: Subject = 'turn';
+  const subject = select(t('Video'), labelled(VIDEOS, VIDEO_WORDS), (value) => (shows = value));
   subject.show(shows);
-  const { button, run } = worker(t('Save video'), t('A WebM video of one turn around the model, or of the walk'));
-  const turn = async () => {
-    view.spin = (2 * Math.PI) / TURN_SECONDS;
-    try {
-      return await video(view, new Promise((resolve) => setTimeout(resolve, 1000 * TURN_SECONDS)));
-    } finally {
-      session.showTurntable();
-    }
-  };
-  const walkVideo = () => {
-    if (walk.length === 0) throw new Failure(t('There is no walker. Alt + click the surface to place one.'));
-    return video(view, walk.perform());
-  };
-  const record = async () =>
-    save(await (shows === 'turn' ? turn() : walkVideo()), `${fileNameOf(session.shown.value)}.webm`);
-  button.addEventListener('click', () => run(session, record));
-  return [subject.element, button];
+  const { button, run } = worker(t('Save video'), t('A video of one turn around the model, or of the walk'));
+  const made = h('div', { class: 'stack' }, button);
+  button.addEventListener('click', () =>
+    run(session, async () => {
+      const { videoMaker } = await import('./video');
+      made.replaceChildren(...videoMaker(session, frames, () => shows));
+      const begin = made.querySelector('button');
+      begin?.focus();
+      begin?.click();
+    }),
+  );
+  return [subject.element, made];
 }
 
 /** A button that is disabled while it works and reports a failure to the page. */

@@ -1,5 +1,6 @@
 /** What each workspace of the panel holds. Only the first one is needed for the first picture; the others are loaded. */
 import type { GroundEditor } from '../../session/ground';
+import type { Frames } from '../../session/frames';
 import type { Opener } from '../../session/opener';
 import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
@@ -24,11 +25,14 @@ interface Parts {
   chooseFile: () => void;
   chooseFolder: (() => void) | null;
   link: () => string;
+  frames: Frames;
+  /** Whether there is a legend. */
+  legend: Signal<boolean>;
 }
 
 /** `drawn`: the first picture, after which all is loaded. */
 export function workspacePanel(parts: Parts, open: Signal<Workspace>, drawn: Promise<void>): Panel {
-  const { session, opener, ground, tool, measuring, comparing, chooseFile, chooseFolder, link } = parts;
+  const { session, opener, ground, tool, measuring, comparing, chooseFile, chooseFolder, link, frames, legend } = parts;
   const contents: Record<Workspace, WorkspaceContent> = {
     scene: {
       name: t('Scene'),
@@ -58,7 +62,7 @@ export function workspacePanel(parts: Parts, open: Signal<Workspace>, drawn: Pro
           id: 'display',
           formerId: 'show',
           title: t('Display'),
-          element: async () => (await import('./display')).displaySection(session),
+          element: async () => (await import('./display')).displaySection(session, legend),
           open: true,
         },
       ],
@@ -119,7 +123,7 @@ export function workspacePanel(parts: Parts, open: Signal<Workspace>, drawn: Pro
         {
           id: 'share',
           title: t('Share and export'),
-          element: async () => (await import('./share')).shareSection(session, link),
+          element: async () => (await import('./share')).shareSection(session, link, frames),
           open: true,
         },
         {

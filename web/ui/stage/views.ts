@@ -1,0 +1,110 @@
+/** The model from the front, from the side and from above, as a whole, and on the whole screen: a menu, and keys. */
+import '../../style/views.css';
+import type { Session } from '../../session/session';
+import { attribute, h, say } from '../dom';
+import { narrow } from '../panel/panel';
+import { t, type Words } from '../../texts';
+
+/** Yaw and pitch of the camera, radians. */
+const DIRECTIONS = {
+  front: [0, 0],
+  side: [Math.PI / 2, 0],
+  top: [0, Math.PI / 2],
+} as const;
+
+export type ViewName = keyof typeof DIRECTIONS | 'fit' | 'screen';
+
+const ITEMS: readonly { name: ViewName; words: Words; key: string }[] = [
+  { name: 'front', words: t('Front'), key: '8' },
+  { name: 'side', words: t('Side'), key: '9' },
+  { name: 'top', words: t('Top'), key: '0' },
+  { name: 'fit', words: t('Fit'), key: 'F' },
+  { name: 'screen', words: t('Full screen'), key: 'X' },
+];
+
+/** Between the button and its menu, and from the edges of the window; CSS pixels. */
+const GAP = 8;
+
+/** `moved`: called where the camera moves. */
+export async function show(name: ViewName, { view }: Session, moved: () => void): Promise<void> {
+  if (name === 'screen') {
+    if (document.fullscreenElement) await document.exitFullscreen();
+    else if (document.fullscreenEnabled) await document.documentElement.requestFullscreen();
+    return;
+  }
+  const { camera } = view;
+  // The direction changes at once, as all else of the camera does by `frame` smoothly.
+  if (name !== 'fit' && camera) view.camera = [...DIRECTIONS[name], ...camera.slice(2)];
+  view.frame();
+  moved();
+}
+
+/** Opens the menu at its button, or closes it. */
+export function toggleMenu(button: HTMLElement, choose: (name: ViewName) => void): void {
+  menuOf(button, choose).togglePopover();
+}
+
+const menus = new WeakMap<HTMLElement, HTMLElement>();
+
+function menuOf(button: HTMLElement, choose: (name: ViewName) => void): HTMLElement {
+  const made = menus.get(button);
+  if (made) return made;
+  const items = ITEMS.filter(({ name }) => name !== 'screen' || document.fullscreenEnabled).map(
+    ({ name, words, key }) => {
+      const chosen = () => {
+        menu.hidePopover();
+        choose(name);
+      };
+      const label = h('span', {}, words);
+      const item = h(
+        'button',
+        { role: 'menuitem', tabindex: -1, 'aria-keyshortcuts': key, onclick: chosen },
+        label,
+        h('kbd', { 'aria-hidden': 'true' }, key),
+      );
+      return { name, item, label };
+    },
+  );
+  const menu = h(
+    'div',
+    { class: 'views', role: 'menu', popover: 'auto', 'aria-label': t('Views') },
+    ...items.map(({ item }) => item),
+  );
+  attribute(button, 'aria-haspopup', 'menu');
+  menu.addEventListener('toggle', (event) => {
+    const isOpen = (event as ToggleEvent).newState === 'open';
+    button.setAttribute('aria-expanded', String(isOpen));
+    const hadFocus = menu.contains(document.activeElement);
+    if (!isOpen) {
+      if (hadFocus || document.activeElement === document.body) button.focus();
+      return;
+    }
+    const full = items.find(({ name }) => name === 'screen');
+    if (full) say(full.label, document.fullscreenElement ? t('Leave full screen') : t('Full screen'));
+    stand(menu, button);
+    items[0]?.item.focus();
+  });
+  menu.addEventListener('keydown', (event) => {
+    const at = items.findIndex(({ item }) => item === document.activeElement);
+    const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
+    // What goes back out of the menu goes back out of nothing else.
+    if (to !== undefined || event.key === 'Escape') event.stopPropagation();
+    if (to === undefined) return;
+    event.preventDefault();
+    items.at(to % items.length)?.item.focus();
+  });
+  document.body.append(menu);
+  menus.set(button, menu);
+  return menu;
+}
+
+/** Above the button; where tools are one below the other, beside it. */
+function stand(menu: HTMLElement, button: HTMLElement): void {
+  const { left, right, top, bottom } = button.getBoundingClientRect();
+  const { offsetWidth, offsetHeight } = menu;
+  const isAbove = !narrow();
+  const x = isAbove ? Math.min(left, innerWidth - offsetWidth - GAP) : right + GAP;
+  const y = isAbove ? top - offsetHeight - GAP : Math.min(bottom - offsetHeight, innerHeight - offsetHeight - GAP);
+  menu.style.left = `${Math.max(GAP, x)}px`;
+  menu.style.top = `${Math.max(GAP, y)}px`;
+}
