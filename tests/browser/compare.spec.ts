@@ -130,7 +130,7 @@ test('two settings inside of tetrahedra share boundary and cut', async ({ heatwa
   expect(apart(both, left, LEFT)).toBeLessThan(SAME);
   expect(apart(both, right, RIGHT)).toBeLessThan(SAME);
   // The right side follows the cut: it is what the left shows by the same settings.
-  for (let step = 0; step < 6; step++) await page.locator('canvas').first().press('.');
+  for (let step = 0; step < 6; step++) await page.locator('.stage canvas').first().press('.');
   await heatwalk.settled();
   const moved = await drawn(heatwalk);
   expect(apart(moved, right, RIGHT)).toBeGreaterThan(SAME);

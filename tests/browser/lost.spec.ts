@@ -11,7 +11,7 @@ test('a lost graphics context is restored with the scene intact', async ({ page 
   const before = await stripes();
   expect(before).toBeGreaterThanOrEqual(6);
 
-  const lost = await page.locator('canvas').elementHandle();
+  const lost = await page.locator('.stage canvas').elementHandle();
   await page.evaluate(() => {
     document.querySelector('canvas')?.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
   });
@@ -29,7 +29,7 @@ test('a renderer that traps restarts with the scene intact', async ({ page }, in
   expect(before).toBeGreaterThanOrEqual(6);
 
   // The next draw call ends the renderer as a panic does: nothing that was borrowed is given back.
-  const canvas = await page.locator('canvas').elementHandle();
+  const canvas = await page.locator('.stage canvas').elementHandle();
   await page.evaluate((isWebGpu) => {
     const target = isWebGpu ? GPURenderPassEncoder.prototype : WebGL2RenderingContext.prototype;
     const name = isWebGpu ? 'drawIndexed' : 'clear';

@@ -88,7 +88,7 @@ test('where WebGPU fails again and again, the page draws with WebGL2', async ({ 
   await heatwalk.pixelOnModel();
   expect((await page.evaluate(() => window.heatwalk.camera))?.[0]).toBeCloseTo(camera?.[0] ?? NaN);
   // Restarting goes on with what works.
-  const lost = await page.locator('canvas').elementHandle();
+  const lost = await page.locator('.stage canvas').elementHandle();
   await page.evaluate(() => {
     document.querySelector('canvas')?.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
   });

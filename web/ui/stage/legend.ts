@@ -147,8 +147,14 @@ export class Legend {
   /** At the side on which there are no tools, below what stands at the top. */
   #standard({ left, width, height }: Room): Place {
     if (!narrow()) return [left + GAP, Math.min(BELOW_HEADING, height)];
-    const isCompared = this.#session.scene.state.compared !== null;
-    return [left + Math.max(0, width - GAP), Math.min(isCompared ? BELOW_SIDES : BELOW_HINTS, height)];
+    const x = left + Math.max(0, width - GAP);
+    const { scene, view } = this.#session;
+    if (view.stage.clientHeight < ROOM.height) {
+      // On a low one the model reaches up to the heading.
+      const heading = document.querySelector('.heading')?.getBoundingClientRect();
+      return [x, Math.min(heading && heading.right < x - GAP ? GAP : BELOW_HEADING, height)];
+    }
+    return [x, Math.min(scene.state.compared === null ? BELOW_HINTS : BELOW_SIDES, height)];
   }
 
   #moveTo(x: number, y: number): void {
