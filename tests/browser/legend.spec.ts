@@ -3,7 +3,7 @@ import fs from 'node:fs';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { grid, off } from '../fixtures';
-import { expect, test } from '../page';
+import { expect, openSection, test } from '../page';
 
 test.use({ deviceScaleFactor: 1, viewport: { width: 1400, height: 900 } });
 
@@ -84,7 +84,7 @@ test('L and the switch hide it, arrows and the pointer move it, and the page rem
   await page.keyboard.press('l');
   await expect(legend(page)).toBeHidden();
   await heatwalk.open('#v=1&m=teapot');
-  await page.locator('#section-display summary').click();
+  await openSection(page, 'display');
   await expect(page.getByRole('switch', { name: 'Legend' })).not.toBeChecked();
   await expect(legend(page)).toBeHidden();
   await page.getByRole('switch', { name: 'Legend' }).check();
@@ -102,7 +102,7 @@ test('it is in saved images unless it is hidden, at their resolution, and in pic
   await heatwalk.open('#v=1&m=teapot');
   await heatwalk.settled();
   await expect(legend(page)).toBeVisible();
-  await page.locator('#section-share summary').click();
+  await openSection(page, 'share');
   const saved = async () => {
     const saving = page.waitForEvent('download');
     await page.getByRole('button', { name: 'Save image' }).click();
