@@ -171,6 +171,9 @@ export const PANEL: Texts = {
   'The clipboard is not available. Copy the lines from the field.':
     'Le presse-papiers n’est pas disponible. Copiez les lignes depuis le champ.',
   'Copy lines': 'Copier les lignes',
+  '{0} is from {1}.': '{0} vient de {1}.',
+  '"Save distances" as "{0}" on the page writes {1}, which these lines open.':
+    '« Enregistrer les distances » en « {0} » sur la page écrit {1}, que ces lignes ouvrent.',
   'Lines that give the present distances again': 'Lignes qui redonnent les distances affichées',
   'There are no distances yet.': 'Il n’y a pas encore de distances.',
   'Costs of the file': 'Coûts du fichier',
