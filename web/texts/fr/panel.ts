@@ -97,6 +97,10 @@ export const PANEL: Texts = {
   Contacts: 'Contacts',
   'Operator edges': 'Arêtes de l’opérateur',
   Isolines: 'Isolignes',
+  Arrows: 'Flèches',
+  'No arrows': 'Sans flèches',
+  'Its colors are those of viridis: those of the style do not tell values apart.':
+    'Ses couleurs sont celles de viridis : celles du style ne distinguent pas les valeurs.',
   'Heat gradient': 'Gradient de la chaleur',
   'Distance gradient': 'Gradient de la distance',
   distance: 'distance',
