@@ -7,6 +7,35 @@ import { expect, type HeatwalkPage, openSection, test } from '../page';
 
 test.use({ deviceScaleFactor: 1 });
 
+/** Shares of the pixels of the model that are yellow, and blue or violet: the ends of viridis. */
+async function endsOfRamp(heatwalk: HeatwalkPage): Promise<[yellow: number, blue: number]> {
+  const { data } = await heatwalk.drawing(0.5, true);
+  let [all, yellow, blue] = [0, 0, 0];
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] !== 255) continue;
+    const [r, g, b] = data.subarray(i, i + 3);
+    all += 1;
+    if (Math.min(r, g) - b > 60 && Math.abs(r - g) < 60) yellow += 1;
+    if (b - g > 25) blue += 1;
+  }
+  return [yellow / all, blue / all];
+}
+
+for (const look of ['zebra', 'gold', 'model']) {
+  test(`heat and error have colors that tell their values in the style ${look}`, async ({ heatwalk, page }) => {
+    const scene = `#m=robot&method=heat&look=${look}&near=0`;
+    await heatwalk.open(`${scene}&paint=heat`);
+    await heatwalk.settled();
+    for (const share of await endsOfRamp(heatwalk)) expect(share).toBeGreaterThan(0.02);
+    await heatwalk.open(`${scene}&paint=error`);
+    await heatwalk.settled();
+    await openSection(page, 'display');
+    await expect(page.getByText(/Relative error.*Its colors are those of viridis/)).toBeVisible();
+    // Errors are small but at few places, which the start of the ramp shows.
+    expect((await endsOfRamp(heatwalk))[1]).toBeGreaterThan(0.3);
+  });
+}
+
 test('overlays are switched on and off, and one gradient replaces the other', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=hemisphere');
   await openSection(page, 'display');
@@ -14,6 +43,7 @@ test('overlays are switched on and off, and one gradient replaces the other', as
   await page.getByLabel('Heat gradient').check();
   await page.getByLabel('Distance gradient').check();
   expect((await heatwalk.scene()).overlays).toEqual(['scenery', 'edges', 'distance']);
+  await expect(page.getByRole('group', { name: 'Arrows' }).getByRole('radio', { checked: true })).toHaveCount(1);
   await page.getByLabel('Inactive parts (scenery)').uncheck();
   expect((await heatwalk.scene()).overlays).toEqual(['edges', 'distance']);
   await expect(page.locator('.message.error')).toHaveCount(0);

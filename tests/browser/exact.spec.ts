@@ -91,6 +91,30 @@ test('refinement can be switched off and on', async ({ heatwalk, page }) => {
   expect(await heatwalk.solves()).toBe(solves);
   await expect(page).not.toHaveURL(/refine=/);
   expect(await heatwalk.refining()).toBe('exact');
+  await expect(page.locator('.exactness')).toHaveText('exact');
+});
+
+test('refinement that is switched off gives way to the field of the method, on screen, in the link and in lines', async ({
+  heatwalk,
+  page,
+}) => {
+  await heatwalk.openFile('grid.off', GRID, `s=${SOURCE}&near=0&refine=0`);
+  await heatwalk.settled();
+  const instant = await largestError(heatwalk, [6 / N, 8 / N]);
+  await heatwalk.openFile('grid.off', GRID, `s=${SOURCE}&near=0`);
+  await heatwalk.settled();
+  await openSection(page, 'solver');
+  await page.getByRole('switch', { name: 'Refine to exact' }).uncheck();
+  await expect(page.locator('.exactness')).toHaveText('heat method');
+  await heatwalk.settled();
+  expect(await heatwalk.refining()).toBe('off');
+  expect(await heatwalk.field()).toMatchObject({ exactBelow: 0, refineMs: 0 });
+  expect(await largestError(heatwalk, [6 / N, 8 / N])).toBe(instant);
+  await expect(page).toHaveURL(/refine=0/);
+
+  await openSection(page, 'export');
+  await page.getByRole('button', { name: 'Copy lines' }).click();
+  await expect(page.getByLabel('Lines that reproduce the distances')).toHaveValue(/--method heat --near 0 /);
 });
 
 test('moving a source ends the refinement, and the new field is refined', async ({ heatwalk, page }) => {

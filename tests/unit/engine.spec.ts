@@ -20,6 +20,7 @@ const QUESTION: Question = {
   from: { vertex: 1 },
   pathKind: 'descent',
   quick: false,
+  refines: true,
 };
 
 /** An engine whose worker notes its calls; a slice lasts until it is let go. */
@@ -161,6 +162,20 @@ test('methods other than heat propagate windows, one while the pointer drags, an
   ]);
 });
 
+test('a field that was refined is solved anew where refinement is not wanted any more', async () => {
+  const { engine: it, calls, letGo } = engine();
+  const first = await it.ask(QUESTION);
+  if (!first) throw new Error('no answer');
+  const refined = it.refine(first);
+  await soon();
+  letGo();
+  expect((await refined)?.field?.refineMs).toBe(1);
+  expect((await it.ask({ ...QUESTION, refines: false }))?.field?.refineMs).toBe(0);
+  // It is the method's own, which refinement may go on from.
+  await it.ask({ ...QUESTION, refines: true });
+  expect(calls).toEqual(['solve descent', 'refine descent', 'solve descent', 'path descent']);
+});
+
 test('propagation shows windows where another method has refined them', async () => {
   const { engine: it, calls, letGo } = engine();
   const answer = await it.ask({ ...QUESTION, method: 'auto' });
@@ -170,7 +185,7 @@ test('propagation shows windows where another method has refined them', async ()
   letGo();
   expect((await refined)?.field?.refineMs).toBe(1);
   expect((await it.ask({ ...QUESTION, method: 'exact' }))?.field?.refineMs).toBe(1);
-  expect((await it.ask({ ...QUESTION, method: 'propagation' }))?.field?.refineMs).toBe(0);
+  expect((await it.ask({ ...QUESTION, method: 'propagation', refines: false }))?.field?.refineMs).toBe(0);
   expect(calls.filter((call) => call.startsWith('propagate'))).toHaveLength(2);
 });
 

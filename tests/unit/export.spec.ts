@@ -3,16 +3,23 @@ import { expect, test } from '@playwright/test';
 import { MODEL, ofModel } from '../../web/length';
 import type { DrawPath } from '../../web/protocol';
 import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../web/session/export';
-import { commandLine, type Measured, pythonLines } from '../../web/state/reproduce';
+import { commandLines, type Measured, pythonLines } from '../../web/state/reproduce';
 import { emptyScene } from '../../web/state/scene';
 import { rustLines } from '../../web/state/rust';
 import { complaints } from '../gltf';
 
 const REPORT = { degenerateFaces: 0, duplicateFaces: 0, flippedFaces: 0 } as Measured['opened']['report'];
+const field = (exactBelow: number, windows?: number): Measured['field'] => ({
+  exactBelow: ofModel(exactBelow),
+  windows,
+  timeFactor: 1,
+  refineMs: 0,
+});
 const STATE = { ...emptyScene({ kind: 'preset', id: 'torus' }), sources: [{ vertex: 7 }] };
 const MEASURED: Measured = {
   state: STATE,
   mesh: 'shape:torus',
+  origin: null,
   opened: {
     simplified: null,
     interior: null,
@@ -20,13 +27,14 @@ const MEASURED: Measured = {
     active: [0],
     parts: [{ name: 'torus', triangles: 2, ranges: Uint32Array.of(0, 2) }],
     clips: [],
+    drawTransform: { center: [0, 0, 0], scale: 1, up: 'z' },
   },
-  field: { exactBelow: ofModel(Infinity), windows: undefined },
+  field: field(Infinity),
   unit: MODEL,
 };
 
 test('the command line names the mesh, the sources and what found the distances', () => {
-  expect(commandLine(MEASURED)).toBe('heatwalk distance shape:torus --source 7 --method exact --output distances.csv');
+  expect(commandLines(MEASURED)).toBe('heatwalk distance shape:torus --source 7 --method exact --output distances.csv');
   const parameters = { ...STATE.parameters, timeStep: 10, exactRadius: Infinity };
   const sources = [{ face: 3, weights: [0.25, 0.25, 0.5] as [number, number, number], offset: 2 }];
   const state = { ...STATE, parameters, sources, links: 1, parts: [1] };
@@ -39,23 +47,58 @@ test('the command line names the mesh, the sources and what found the distances'
     state,
     opened,
     mesh: "a cow's.obj",
-    field: { exactBelow: ofModel(0), windows: undefined },
+    field: field(0),
   };
-  expect(commandLine(asked)).toBe(
+  expect(commandLines(asked)).toBe(
     String.raw`heatwalk distance 'a cow'\''s.obj' --part 1 --source 7:0.25,0.25,0.5@2 --link 1 --method heat --t 10 --near inf --output distances.csv`,
   );
-  expect(commandLine({ ...MEASURED, field: { exactBelow: ofModel(1), windows: 2 } })).toContain(
-    '--method propagation --windows 2',
-  );
-  expect(pythonLines(MEASURED)).toContain('subprocess.run("heatwalk distance shape:torus');
+  expect(commandLines({ ...MEASURED, field: field(1, 2) })).toContain('--method propagation --windows 2');
+  expect(pythonLines(MEASURED)).toContain('subprocess.run(["heatwalk", "distance", "shape:torus", "--source", "7", ');
+  const dashed = commandLines({ ...MEASURED, mesh: '-#.obj' });
+  expect(dashed).toContain("heatwalk distance './-#.obj' ");
 });
 
 test('what the program cannot be asked for is refused with the reason', () => {
   const painted = { ...STATE, ground: { ...STATE.ground, slope: true } };
-  expect(() => commandLine({ ...MEASURED, state: painted })).toThrow('Paint, walls and slopes');
+  expect(() => rustLines({ ...MEASURED, state: painted })).toThrow('without costs and walls');
   const dropped = { ...MEASURED.opened, report: { ...REPORT, flippedFaces: 1 } };
   const inside = { ...STATE, sources: [{ face: 0, weights: [1, 0, 0] as [number, number, number] }] };
-  expect(() => commandLine({ ...MEASURED, state: inside, opened: dropped })).toThrow('only found again at vertices');
+  expect(() => commandLines({ ...MEASURED, state: inside, opened: dropped })).toThrow('only found again at vertices');
+});
+
+test('what costs more is in files that the lines write, and what the program does not know in a comment', () => {
+  // Of four triangles, the second costs 2, the third is a wall, the fourth an open gate.
+  const faces = Uint8Array.of(0, 140, 255, 253);
+  const lines = [
+    { vertices: [4, 5, 9], open: false },
+    { vertices: [1, 2], open: true },
+  ];
+  const ground = { ...STATE.ground, faces, lines, slope: true, highest: 3 };
+  const measured = {
+    ...MEASURED,
+    state: { ...STATE, ground, method: 'auto' as const, unit: 'mm' as const },
+    field: field(1, 4),
+  };
+  expect(commandLines(measured).split('\n')).toEqual([
+    '# The program has no cost of height, which is 3 at the highest place.',
+    "cat > weights.csv <<'END'",
+    'triangle,cost',
+    '1,2',
+    'END',
+    "cat > walls.csv <<'END'",
+    'wall',
+    '2',
+    '4,5',
+    '5,9',
+    'END',
+    'heatwalk distance shape:torus --unit mm --source 7 --weights weights.csv --walls walls.csv --slope-cost tobler --up z ' +
+      '--method propagation --windows 4 --output distances.csv',
+  ]);
+  expect(pythonLines(measured)).toContain(String.raw`write_text("triangle,cost\n1,2\n")`);
+  const dropped = { ...MEASURED.opened, report: { ...REPORT, degenerateFaces: 1 } };
+  expect(commandLines({ ...measured, opened: dropped })).toContain('# Triangles of the file were left out');
+  const halfway = { ...MEASURED, field: { ...field(0.5), refineMs: 1 } };
+  expect(commandLines(halfway)).toMatch(/^# The page has refined distances below 0.5 to exact ones/);
 });
 
 test('paths are written in the unit of the file', () => {
@@ -115,9 +158,9 @@ test('sets of sources are sources of the command line, with their initial distan
     offset: 2,
   };
   const state = { ...STATE, sets: [set] };
-  expect(commandLine({ ...MEASURED, state })).toContain('--source 7 --source 3@2 --source 5@3 --method');
+  expect(commandLines({ ...MEASURED, state })).toContain('--source 7 --source 3@2 --source 5@3 --method');
   const many = { ...set, points: Array.from({ length: 3000 }, (_, vertex) => ({ vertex })) };
-  expect(() => commandLine({ ...MEASURED, state: { ...STATE, sets: [many] } })).toThrow('room for 2,000 sources');
+  expect(() => commandLines({ ...MEASURED, state: { ...STATE, sets: [many] } })).toThrow('room for 2,000 sources');
 });
 
 test('the eye is where yaw and pitch say', () => {
@@ -138,9 +181,7 @@ test('the lines of Rust are examples of the crate', async () => {
     sources: 'summed' as const,
   };
   const byHeat = { ...STATE, parameters, method: 'heat' as const, bridge: 'off' as const };
-  expect(rustLines({ ...MEASURED, state: byHeat, field: { exactBelow: ofModel(0), windows: undefined } })).toBe(
-    await example('distances_of_shape'),
-  );
+  expect(rustLines({ ...MEASURED, state: byHeat, field: field(0) })).toBe(await example('distances_of_shape'));
 
   const sources = [
     { vertex: 7 },
@@ -150,6 +191,6 @@ test('the lines of Rust are examples of the crate', async () => {
   const animation = { ...STATE.animation, clip: 1, seconds: 0.5, live: true };
   const state = { ...STATE, sources, animation, bridge: 0.01, links: 2 };
   const opened = { ...MEASURED.opened, active: [1], parts: [...MEASURED.opened.parts, ...MEASURED.opened.parts] };
-  const asked = { ...MEASURED, state, opened, mesh: 'a "cow".glb', field: { exactBelow: ofModel(1), windows: 4 } };
+  const asked = { ...MEASURED, state, opened, mesh: 'a "cow".glb', field: field(1, 4) };
   expect(rustLines(asked)).toBe(await example('distances_of_file'));
 });

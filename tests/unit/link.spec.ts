@@ -1,7 +1,7 @@
 import { expect, test } from '@playwright/test';
 import { ofModel, SHOWN_UNITS, UNITS } from '../../web/length';
 import { CUTS, FILLS, INSIDE_NUMBERS, INSIDE_RANGES, WHOLE } from '../../web/state/inside';
-import { decodeLink, encodeLink } from '../../web/state/link';
+import { decodeLink, encodeLink, KEYS } from '../../web/state/link';
 import { findStyle } from '../../web/state/styles';
 import {
   emptyScene,
@@ -183,6 +183,29 @@ test('a link holds every choice and both ends of every range, and nothing else',
     const isDefault = JSON.stringify(state) === JSON.stringify(START);
     expect(encodeLink(state, START).split('&')).toHaveLength(isDefault ? 2 : 3);
   }
+});
+
+/** Text that is no value of any key: nonsense, nothing, numbers that are none or far beyond every range, one cut short. */
+const BROKEN: readonly string[] = ['!', 'NaN', '-1e99', '1e99', '12:0.2/', '%FF'];
+
+/** Lengths are as large as a file has them. */
+const LENGTHS: ReadonlySet<string> = new Set(['bridge', 'iso']);
+
+test('a broken value of any key is named, and nothing else is lost', () => {
+  const whole = 'v=1&m=bunny&s=12&w=3&t=10&look=gold&period=0.2&show=edges&cam=1,0,3,0,0,0&vs=t:2,at:0.3';
+  const others = (key: string) => new URLSearchParams([...new URLSearchParams(whole)].filter(([name]) => name !== key));
+  const lost: string[] = [];
+  for (const { key } of KEYS) {
+    const without = decodeLink(others(key).toString(), startOf);
+    for (const value of BROKEN.filter((each) => each !== '1e99' || !LENGTHS.has(key))) {
+      const { state, notices, unknown } = decodeLink(`${others(key).toString()}&${key}=${value}`, startOf);
+      const text = decodeURIComponent(value === '%FF' ? '%EF%BF%BD' : value);
+      const isNamed = notices.map(String).join() === `The link's ${key}=${text} is invalid; the default is used.`;
+      const isSame = JSON.stringify(state) === JSON.stringify(without.state);
+      if (!isNamed || !isSame || unknown.length > 0) lost.push(`${key}=${value}`);
+    }
+  }
+  expect(lost).toEqual([]);
 });
 
 test('a former name is read as what it is called now', () => {

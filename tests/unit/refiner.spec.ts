@@ -48,6 +48,7 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
     from: { vertex: 1 },
     pathKind,
     quick: false,
+    refines: true,
   };
   const timings = { readMs: 0, buildMs: 0, drawMs: 0, joinMs: 0, precomputeMs: 0 };
   const joined = {

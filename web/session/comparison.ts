@@ -6,7 +6,7 @@ import { type Answer, type Engine, isSameField, type Question } from '../solver/
 import { Refiner } from '../solver/refiner';
 import { Cancelled } from '../solver/remote';
 import { type Compared, settingsOf } from '../state/compared';
-import type { SceneState } from '../state/scene';
+import { isRefined, type SceneState } from '../state/scene';
 import { Signal } from '../state/signal';
 import type { Edges } from '../view/layers';
 import { available, instead } from './overlays';
@@ -31,7 +31,6 @@ export class Comparison {
   #engine: Engine | null = null;
   #isFactored = false;
   #asked: Question | null = null;
-  #refines = false;
   /** Counts what was shown: a field that was overtaken while it was fetched is dropped. */
   #wish = 0;
 
@@ -113,12 +112,11 @@ export class Comparison {
     const theirs = shown.value?.answer.question;
     if (!compared || !theirs) return;
     const { method, windows, parameters, refine } = compared;
-    const question = { ...theirs, method, windows, parameters };
-    const isAnswered = this.#asked !== null && isSame(this.#asked, question);
-    if (isAnswered && this.#refines === refine) return;
-    [this.#asked, this.#refines] = [question, refine];
+    const question = { ...theirs, method, windows, parameters, refines: isRefined(compared) };
+    if (this.#asked && isSame(this.#asked, question)) return;
+    this.#asked = question;
     this.refiner.interrupt();
-    this.working.value = !isAnswered;
+    this.working.value = true;
     try {
       const answer = await engine.ask(question);
       if (!answer || engine !== this.#engine || this.#asked !== question) return;
@@ -150,6 +148,7 @@ export class Comparison {
 function isSame(asked: Question, question: Question): boolean {
   return (
     isSameField(asked, question) &&
+    asked.refines === question.refines &&
     asked.method === question.method &&
     asked.from === question.from &&
     asked.inside === question.inside &&

@@ -5,7 +5,7 @@ import type { Answer, Engine, Question } from '../solver/engine';
 import { Cancelled } from '../solver/remote';
 import { fits, LEVEL } from '../state/ground';
 import { Places } from '../state/places';
-import { type Animation, type SceneState, STILL } from '../state/scene';
+import { type Animation, isRefined, type SceneState, STILL } from '../state/scene';
 import { allSources } from '../state/sources';
 import { MODEL_STYLE } from '../state/styles';
 import { reducedMotion } from '../view/motion';
@@ -59,11 +59,24 @@ export function momentOf({ clip, seconds }: Animation): Moment | null {
 
 /** What a scene asks the solver, with a full field. `method`: that by which it can be asked now. */
 export function questionOf(state: SceneState, method = state.method): Question {
-  const { windows, parameters, bridge, links, ground, inside, walker, pathKind, animation } = state;
+  const { windows, parameters, bridge, links, ground, inside, walker, pathKind, animation, refine } = state;
   const sources = allSources(state);
   const moment = animation.live ? momentOf(animation) : null;
-  const from = walker;
-  return { sources, method, windows, parameters, bridge, links, ground, inside, moment, from, pathKind, quick: false };
+  return {
+    sources,
+    method,
+    windows,
+    parameters,
+    bridge,
+    links,
+    ground,
+    inside,
+    moment,
+    from: walker,
+    pathKind,
+    quick: false,
+    refines: isRefined({ method, refine }),
+  };
 }
 
 /** What a scene wants of its mesh. The memory limit of the heat method is one for factors alone. */

@@ -4,6 +4,7 @@ import { isPainted, isWeighted } from '../state/ground';
 import { innerCutOf } from '../state/inside';
 import type { Scene } from '../state/history';
 import { type SceneState, visible } from '../state/scene';
+import { telling } from '../state/styles';
 import { reducedMotion } from '../view/motion';
 import type { ShownField } from '../view/layers';
 import type { View } from '../view/view';
@@ -32,6 +33,8 @@ export class Presenter {
   #field: DistanceField | null = null;
   /** What the period of the style is a share of: for distance, the diameter. */
   #whole = 1;
+  /** Whether another field than that of distance is painted. */
+  #isOther = false;
   /** The pose that the mesh is shown in; null: that of its file. */
   #posed: Posed | null = null;
   #resting: ReturnType<typeof setTimeout> | undefined;
@@ -127,8 +130,9 @@ export class Presenter {
   paint(instead: { field: ShownField; whole: number } | null): void {
     this.#view.setField(instead?.field ?? this.#field);
     const whole = instead?.whole ?? this.#wholeOfDistance();
-    if (whole !== this.#whole) {
-      this.#whole = whole;
+    const isOther = instead !== null;
+    if (whole !== this.#whole || isOther !== this.#isOther) {
+      [this.#whole, this.#isOther] = [whole, isOther];
       this.#showStyle();
     }
   }
@@ -190,6 +194,7 @@ export class Presenter {
     this.#state = state;
     this.#facing = facing;
     this.#whole = shown.places.diameter;
+    this.#isOther = false;
     this.#showStyle();
     this.#showGround(shown, state, true);
     this.#showField(shown);
@@ -243,7 +248,7 @@ export class Presenter {
 
   #showStyle(): void {
     const { style } = this.#state;
-    this.#view.setStyle(style, this.#whole, this.#facing);
+    this.#view.setStyle(this.#isOther ? telling(style) : style, this.#whole, this.#facing);
     if (style.flow === 0) this.#flow = 0;
     this.#showOffset();
   }

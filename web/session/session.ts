@@ -2,7 +2,7 @@
 import { Failure, toError } from '../error';
 import type { Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
-import { type Answer, type Engine, isSameField, isSameMoment, type Question } from '../solver/engine';
+import { type Answer, type Engine, isFieldOf, isSameMoment, type Question } from '../solver/engine';
 import { Refiner } from '../solver/refiner';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
@@ -499,11 +499,11 @@ export class Session {
   }
 
   /** Whether an answer is to what the scene asks, and no other is on its way: undo may come back to it before that. */
-  #isAnswered({ question }: Answer): boolean {
+  #isAnswered({ field, question }: Answer): boolean {
     const asked = this.#question;
     return (
       (this.#phase.kind !== 'answering' || this.#phase.asked === null) &&
-      isSameField(question, asked) &&
+      isFieldOf(field, question, asked) &&
       question.method === asked.method &&
       question.from === asked.from &&
       question.pathKind === asked.pathKind &&

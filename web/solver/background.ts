@@ -18,6 +18,7 @@ export const PLAIN_QUESTION: Omit<Question, 'parameters' | 'sources'> = {
   from: null,
   pathKind: 'descent',
   quick: false,
+  refines: true,
 };
 
 /** Opens a mesh for as long as it is asked; its worker ends with that, and when `signal` is aborted, with a rejection. */

@@ -47,6 +47,8 @@ export interface Question {
   pathKind: PathKind;
   /** A small exact region, or the values of vertices, is enough. */
   quick: boolean;
+  /** Whether the field may be refined; else it is to be the method's own. */
+  refines: boolean;
 }
 
 /** What a field depends on. */
@@ -99,6 +101,12 @@ export function isSameField(answered: FieldQuestion, asked: FieldQuestion): bool
     (isByHeat ? answered.parameters === asked.parameters : answered.windows === asked.windows) &&
     (asked.quick || !answered.quick)
   );
+}
+
+/** Whether a field that answers one question, by now refined or not, does for another as well. */
+export function isFieldOf(field: DistanceField | null, answered: FieldQuestion, asked: Question): boolean {
+  const isRefined = (field?.refineMs ?? 0) > 0;
+  return isSameField(answered, asked) && (asked.refines || !isRefined);
 }
 
 export function isSameMoment(one: Moment | null, other: Moment | null): boolean {
@@ -318,12 +326,8 @@ export class Engine {
       return { ...about, posed, field: null, path: null, pathMs: 0 };
     }
     const held = this.#held;
-    // Another path does not undo what refinement has reached, unless it is not wanted.
-    if (
-      held &&
-      isSameField(held.question, question) &&
-      !(question.method === 'propagation' && held.field.refineMs > 0)
-    ) {
+    // Another path does not undo what refinement has reached, unless that is not wanted.
+    if (held && isFieldOf(held.field, held.question, question)) {
       const path = await this.#path(requestOf(question, about.pathKind));
       return named({ ...about, posed: null, field: held.field, ...path });
     }

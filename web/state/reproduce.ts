@@ -2,12 +2,12 @@
 import { Failure } from '../error';
 import type { DistanceField, InnerPoint, OpenedMesh, Source } from '../protocol';
 import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
-import { isPainted } from './ground';
+import { costOf, EVEN, type Ground, isPainted, isWall, isWeighted } from './ground';
 import type { LengthUnit } from '../length';
 import { triangleOfFile } from './parts';
 import type { SceneState } from './scene';
 import { allSources } from './sources';
-import { count, t } from '../texts';
+import { count, t, type Words } from '../texts';
 
 /** Sources that a command line holds: Windows allows 32,767 characters. */
 const MOST_SOURCES = 2000;
@@ -15,37 +15,129 @@ const MOST_SOURCES = 2000;
 /** What holds sources. */
 const PLACES = { command: t('A command line'), program: t('A program') };
 
-/** A source that is on a surface. */
-export type SurfaceSource = Exclude<Source, InnerPoint>;
+/** The file that tetrahedra are written to which a surface is filled with. */
+const FILLED = 'filled.msh';
 
 /** What is measured: of the scene, the mesh that it has, and the field that is shown. */
 export interface Measured {
   state: SceneState;
   /** A file name, or `shape:NAME`. */
   mesh: string;
-  opened: Pick<OpenedMesh, 'simplified' | 'interior' | 'report' | 'active' | 'parts' | 'clips'>;
-  field: Pick<DistanceField, 'exactBelow' | 'windows'>;
+  /** What is to be known of the file, for a reader of the lines; null for nothing. */
+  origin: Words | null;
+  opened: Pick<OpenedMesh, 'simplified' | 'interior' | 'report' | 'active' | 'parts' | 'clips' | 'drawTransform'>;
+  field: Pick<DistanceField, 'exactBelow' | 'windows' | 'timeFactor' | 'refineMs'>;
   /** In which lengths are shown; the program has those of the file. */
   unit: LengthUnit;
 }
 
+/** What there is to do: files to write, then commands to run. */
+interface Steps {
+  comments: Words[];
+  files: { name: string; rows: string[] }[];
+  commands: string[][];
+}
+
 /**
- * The command that writes the distances to a CSV file.
+ * Lines of a shell that write the distances to a CSV file.
  *
  * @throws Error where the program cannot be asked for the same, with the reason.
  */
-export function commandLine(measured: Measured): string {
-  const { state, mesh, opened, field } = measured;
-  const sources = reproducedSources(measured, 'command');
-  const words = ['heatwalk', 'distance', quoted(mesh)];
-  if (opened.active.length < opened.parts.length) words.push(...opened.active.map((part) => `--part ${part}`));
+export function commandLines(measured: Measured): string {
+  const { comments, files, commands } = stepsOf(measured);
+  return [
+    ...comments.map(commented),
+    ...files.flatMap(({ name, rows }) => [`cat > ${name} <<'END'`].concat(rows, 'END')),
+    ...commands.map((words) => words.map(quoted).join(' ')),
+  ].join('\n');
+}
+
+/** The same from Python, by the program, as an array of NumPy. */
+export function pythonLines(measured: Measured): string {
+  const { comments, files, commands } = stepsOf(measured);
+  const { scale, symbol } = measured.unit;
+  const factor = scale === 1 ? '' : `${scale} * `;
+  const last = `distances = ${factor}numpy.loadtxt('distances.csv', delimiter=',', skiprows=1)[:, 1]`;
+  return [
+    ...comments.map(commented),
+    'import pathlib',
+    'import subprocess',
+    'import numpy',
+    ...files.map(({ name, rows }) => `pathlib.Path('${name}').write_text(${literal(rows.concat('').join('\n'))})`),
+    ...commands.map((words) => `subprocess.run([${words.map(literal).join(', ')}], check=True)`),
+    symbol ? `${last}  # ${symbol}` : last,
+  ].join('\n');
+}
+
+function stepsOf(measured: Measured): Steps {
+  const { state, mesh, origin, opened, field } = measured;
+  const { scale, symbol } = measured.unit;
+  const steps: Steps = { comments: [], files: [], commands: [] };
+  if (origin) steps.comments.push(origin);
+  if (scale !== 1)
+    steps.comments.push(t`Lengths are in the unit of the file, which is ${String(scale)} ${symbol || t('units')}.`);
+  if (field.refineMs > 0 && field.exactBelow < Infinity)
+    steps.comments.push(
+      t`The page has refined distances below ${String(field.exactBelow)} to exact ones; these are of the method alone.`,
+    );
+  const parts =
+    opened.active.length < opened.parts.length ? opened.active.flatMap((part) => ['--part', `${part}`]) : [];
+  const sources = sourcesOf(measured, 'command').flatMap((source) => ['--source', sourceWord(source)]);
+  // A name that begins like an option is none.
+  const file = mesh.startsWith('-') ? `./${mesh}` : mesh;
+  const given = ['--output', 'distances.csv'];
+  if (opened.interior) {
+    const isFilled = state.fill !== null && opened.interior.report.isFilled;
+    if (isFilled)
+      steps.commands.push(['heatwalk', 'fill', file, ...parts, '--tetrahedra', `${state.fill}`, '--output', FILLED]);
+    const method = field.timeFactor === undefined ? ['--method', 'march'] : heatWords(state);
+    steps.commands.push(['heatwalk', 'distance', isFilled ? FILLED : file, ...sources, ...method, ...given]);
+    return steps;
+  }
+  const words = ['heatwalk', 'distance', file, ...parts];
+  if (state.unit !== AUTOMATIC && state.scale === 1) words.push('--unit', state.unit);
   const { clip, seconds, live } = state.animation;
-  if (live && clip !== null) words.push(`--animation ${clip} --time ${seconds}`);
-  words.push(...sources.map((source) => `--source ${sourceWord(source)}`));
-  if (state.bridge !== AUTOMATIC) words.push(`--bridge ${state.bridge}`);
-  if (state.links > 0) words.push(`--link ${state.links}`);
-  words.push(...methodWords(state, field), '--output distances.csv');
-  return words.join(' ');
+  if (live && clip !== null) words.push('--animation', `${clip}`, '--time', `${seconds}`);
+  words.push(...sources);
+  if (state.bridge !== AUTOMATIC) words.push('--bridge', `${state.bridge}`);
+  if (state.links > 0) words.push('--link', `${state.links}`);
+  words.push(...groundWords(measured, steps), ...methodWords(state, field), ...given);
+  steps.commands.push(words);
+  return steps;
+}
+
+/** What the ground costs, and its walls, in files that the steps write. */
+function groundWords({ state: { ground, method }, opened }: Measured, { comments, files }: Steps): string[] {
+  const words: string[] = [];
+  const rows = rowsOf(ground, opened);
+  if (rows === null) comments.push(t('Triangles of the file were left out, so what is painted is not in these lines.'));
+  const written = (name: string, heading: string, its: string[]) => {
+    if (its.length > 0) files.push({ name, rows: [heading, ...its] });
+    return its.length > 0;
+  };
+  if (rows && written('weights.csv', 'triangle,cost', rows.weights)) words.push('--weights', 'weights.csv');
+  if (rows && written('walls.csv', 'wall', rows.walls)) words.push('--walls', 'walls.csv');
+  if (method === 'heat' && isWeighted(ground) && ground.faces.some(isWall))
+    comments.push(t('Walls cost other than on the page, by which the time step of heat differs a little.'));
+  if (ground.slope) words.push('--slope-cost', 'tobler', '--up', opened.drawTransform.up);
+  if (ground.highest !== 1)
+    comments.push(t`The program has no cost of height, which is ${String(ground.highest)} at the highest place.`);
+  return words;
+}
+
+/** Triangles of the file with their costs, and triangles and edges that are walls; null where triangles are not found again. */
+function rowsOf({ faces, lines }: Ground, opened: Measured['opened']): { weights: string[]; walls: string[] } | null {
+  const { degenerateFaces, duplicateFaces } = opened.report;
+  if (faces.length > 0 && degenerateFaces + duplicateFaces > 0) return null;
+  const [weights, walls]: [string[], string[]] = [[], []];
+  faces.forEach((code, face) => {
+    if (isWall(code)) walls.push(`${triangleOfFile(opened, face)}`);
+    else if (costOf(code) !== costOf(EVEN)) weights.push(`${triangleOfFile(opened, face)},${costOf(code)}`);
+  });
+  for (const { vertices, open } of lines) {
+    if (!open) walls.push(...vertices.slice(1).map((vertex, index) => `${vertices[index]},${vertex}`));
+  }
+  return { weights, walls };
 }
 
 /**
@@ -53,24 +145,25 @@ export function commandLine(measured: Measured): string {
  *
  * @throws Error with the reason.
  */
-export function reproducedSources({ state, opened }: Measured, place: keyof typeof PLACES): SurfaceSource[] {
-  if (opened.interior) throw new Failure(t('Distances inside of tetrahedra made on this page have no lines.'));
+function sourcesOf({ state, opened }: Measured, place: keyof typeof PLACES): Source[] {
   if (opened.simplified)
     throw new Failure(t('The mesh was simplified on this page; save it, and open the saved mesh.'));
-  const { slope, highest } = state.ground;
-  if (isPainted(state.ground) || slope || highest !== 1)
-    throw new Failure(t('Paint, walls and slopes of this page have no lines.'));
   const sources = allSources(state);
   if (sources.length > MOST_SOURCES)
     throw new Failure(
       t`${PLACES[place]} has room for ${count(MOST_SOURCES)} sources, and these are ${count(sources.length)}.`,
     );
-  // The page counts the triangles that were kept, with the corners that they have since.
+  const isInside = opened.interior !== null;
+  // Triangles count among those that were kept, with the corners that they have since; tetrahedra as in the file.
   const { degenerateFaces, duplicateFaces, flippedFaces } = opened.report;
-  const isAsInFile = degenerateFaces + duplicateFaces + flippedFaces === 0;
+  const isAsInFile = isInside || degenerateFaces + duplicateFaces + flippedFaces === 0;
   return sources.map((source) => {
-    if ('tetrahedron' in source) throw new Failure(t('A source inside of tetrahedra has no place on a surface.'));
-    if ('face' in source && !isAsInFile)
+    if ('vertex' in source) return source;
+    if ('tetrahedron' in source !== isInside)
+      throw new Failure(
+        t('A source is on the boundary, where the program has no places inside of tetrahedra. Move it inside.'),
+      );
+    if (!isAsInFile)
       throw new Failure(
         t('Triangles of the file were left out or flipped, so sources are only found again at vertices.'),
       );
@@ -83,30 +176,31 @@ function inFile<S extends { face: number }>(opened: Measured['opened'], source: 
   return { ...source, face: triangleOfFile(opened, source.face) };
 }
 
-/** The same after a comment that says how lengths of the file are shown, where that is in another unit. */
-export function commandLines(measured: Measured): string {
-  const { scale, symbol } = measured.unit;
-  const comment = scale === 1 ? [] : [`# Lengths are in the unit of the file, which is ${scale} ${symbol || 'units'}.`];
-  return [...comment, commandLine(measured)].join('\n');
+/** A source that is on a surface. */
+export type SurfaceSource = Exclude<Source, InnerPoint>;
+
+/**
+ * The same of level surfaces alone, for a program in Rust.
+ *
+ * @throws Error with the reason.
+ */
+export function surfaceSources(measured: Measured): SurfaceSource[] {
+  const { slope, highest } = measured.state.ground;
+  if (measured.opened.interior || isPainted(measured.state.ground) || slope || highest !== 1)
+    throw new Failure(t('Lines of Rust are for surfaces without costs and walls. Choose the command line or Python.'));
+  return sourcesOf(measured, 'program').filter((source): source is SurfaceSource => !('tetrahedron' in source));
 }
 
-/** The same from Python, by the program, as an array of NumPy. */
-export function pythonLines(measured: Measured): string {
-  const { scale, symbol } = measured.unit;
-  const factor = scale === 1 ? '' : `${scale} * `;
-  return [
-    'import subprocess',
-    'import numpy',
-    `subprocess.run(${pythonText(commandLine(measured))}, shell=True, check=True)`,
-    `distances = ${factor}numpy.loadtxt('distances.csv', delimiter=',', skiprows=1)[:, 1]${symbol && `  # ${symbol}`}`,
-  ].join('\n');
-}
-
-function methodWords({ method, parameters, windows }: SceneState, field: Measured['field']): string[] {
-  if (field.exactBelow === Infinity) return ['--method exact'];
+function methodWords(state: SceneState, field: Measured['field']): string[] {
+  const { method, windows } = state;
+  if (field.exactBelow === Infinity) return ['--method', 'exact'];
   if (method !== 'heat' || field.windows !== undefined)
-    return [`--method propagation --windows ${field.windows || windows}`];
-  const words = ['--method heat'];
+    return ['--method', 'propagation', '--windows', `${field.windows || windows}`];
+  return heatWords(state);
+}
+
+function heatWords({ parameters }: SceneState): string[] {
+  const words = ['--method', 'heat'];
   const options = [
     ['operator', 'operator'],
     ['solver', 'solver'],
@@ -117,20 +211,29 @@ function methodWords({ method, parameters, windows }: SceneState, field: Measure
   ] as const;
   for (const [option, key] of options) {
     const value = parameters[key];
-    if (value !== DEFAULT_PARAMETERS[key]) words.push(`--${option} ${value === Infinity ? 'inf' : value}`);
+    if (value !== DEFAULT_PARAMETERS[key]) words.push(`--${option}`, value === Infinity ? 'inf' : `${value}`);
   }
   return words;
 }
 
-function sourceWord(source: SurfaceSource): string {
+function sourceWord(source: Source): string {
   const from = source.offset ? `@${source.offset}` : '';
-  return 'vertex' in source ? `${source.vertex}${from}` : `${source.face}:${source.weights.join(',')}${from}`;
+  if ('vertex' in source) return `${source.vertex}${from}`;
+  const element = 'face' in source ? source.face : source.tetrahedron;
+  return `${element}:${source.weights.join(',')}${from}`;
 }
 
-function quoted(name: string): string {
-  return /^[\w./:#-]+$/.test(name) && !name.startsWith('-') ? name : `'${name.replaceAll("'", String.raw`'\''`)}'`;
+/** On one line, whatever names it has. */
+function commented(words: Words): string {
+  return `# ${String(words).replaceAll(/\s/g, ' ')}`;
 }
 
-function pythonText(text: string): string {
+/** A word of a shell. */
+function quoted(word: string): string {
+  return /^[\w./:,@-]+$/.test(word) ? word : `'${word.replaceAll("'", String.raw`'\''`)}'`;
+}
+
+/** A string of Python. */
+function literal(text: string): string {
   return JSON.stringify(text);
 }

@@ -1,6 +1,6 @@
 /** The lines of Rust that give the distances of a scene again, by the crates `heatwalk` and `heatwalk-model`. */
 import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
-import { type Measured, reproducedSources, type SurfaceSource } from './reproduce';
+import { type Measured, type SurfaceSource, surfaceSources } from './reproduce';
 
 const INDENT = '    ';
 /** As the formatter of Rust is set here. */
@@ -14,7 +14,7 @@ const WIDTH = 120;
 export function rustLines(measured: Measured): string {
   const { state, mesh, opened, field, unit } = measured;
   const factor = unit.scale === 1 ? '' : `${float(unit.scale)} * `;
-  const sources = reproducedSources(measured, 'program');
+  const sources = surfaceSources(measured);
   const used = new Set(['DistanceOptions', 'DistanceSolver', 'InputVertex', 'Method', 'Surface', 'go_on']);
   const use = (...names: string[]) => names.forEach((name) => used.add(name));
   const shape = /^shape:(\w+)$/.exec(mesh);

@@ -255,6 +255,22 @@ function paint(colour: string): Interpolator {
   return isRamp(colour) ? RAMPS[colour] : () => colour;
 }
 
+/** Ramps by which values are told apart from one end to the other. */
+const TELLING: ReadonlySet<RampName> = new Set(['viridis', 'turbo', 'lava', 'water', 'lagoon', 'dusk']);
+
+/** Whether the surface of a style shows a field other than distance, which has no stripes to be read by. */
+export function tells({ surfaceOf, ramp }: Pick<Style, 'surfaceOf' | 'ramp'>): boolean {
+  return surfaceOf === 'style' && TELLING.has(ramp);
+}
+
+/** A style whose surface shows such a field: in colors that tell its values, matt, and with the stripes as thin lines. */
+export function telling(style: Style): Style {
+  if (tells(style)) return style;
+  const ramp = TELLING.has(style.ramp) ? style.ramp : 'viridis';
+  const lines = { pattern: 'lines', stripe: '#ffffff', width: 0.25, relief: 0, stripes: BASE.stripes } as const;
+  return { ...style, ...(style.pattern === 'none' ? {} : lines), surfaceOf: 'style', ramp, surface: finish(0, 0.6) };
+}
+
 /** 256 × 4 sRGB bytes over distance / largest distance, of the surface and then of the stripes. */
 export function rampBytes({ ramp, stripe }: Pick<Style, 'ramp' | 'stripe'>): Uint8Array {
   const bytes = new Uint8Array(2 * 256 * 4);

@@ -164,6 +164,32 @@ export function toggle(
   };
 }
 
+/** Choices that exclude each other, as radio buttons in a group of that name. */
+export function radios<T extends string>(
+  label: Words,
+  choices: readonly (readonly [T, Words])[],
+  change: (value: T) => void,
+): {
+  element: HTMLElement;
+  show: (value: T) => void;
+  /** Which of the choices there are. */
+  offer: (isOffered: (value: T) => boolean) => void;
+} {
+  const name = `radios-${++groups}`;
+  const options = choices.map(([value, text]) => {
+    const input = h('input', { type: 'radio', name, onchange: () => change(value) });
+    return { value, input, element: h('label', { class: 'field' }, h('span', {}, text), input) };
+  });
+  return {
+    element: h('fieldset', { class: 'radios' }, h('legend', {}, label), ...options.map(({ element }) => element)),
+    show: (shown) => options.forEach(({ value, input }) => (input.checked = value === shown)),
+    offer: (isOffered) => options.forEach(({ value, element }) => (element.hidden = !isOffered(value))),
+  };
+}
+
+/** Groups of radio buttons so far. */
+let groups = 0;
+
 export interface AutomaticSliderOptions extends Omit<SliderOptions, 'change' | 'describe'> {
   describe: (value: number, automatic: boolean) => Words;
   change: (value: number | 'auto', gesture: object) => void;

@@ -81,7 +81,10 @@ export async function distanceFile(
         module.distance_file_of(kind, fileName(mesh), bytes, resource, from.parts, distances, unit) as Bytes,
     );
   }
-  return module.distance_file(kind, ...ofInputs(solver, vertices), distances, unit) as Bytes;
+  // Corners of arrays stay those that they have, so that vertices keep their numbers.
+  const own: [Float64Array, Uint32Array] =
+    input?.kind === 'arrays' ? [Float64Array.from(input.positions), input.triangles] : ofInputs(solver, vertices);
+  return module.distance_file(kind, ...own, distances, unit) as Bytes;
 }
 
 /** Positions of the vertices of the input, 0 of those that no triangle uses, and triangles. */

@@ -271,14 +271,23 @@ export const PAGE: Texts = {
     'Le dragon n’a pas pu être téléchargé (statut HTTP {0}). Vérifiez la connexion et choisissez-le de nouveau.',
   'A command line': 'Une ligne de commande',
   'A program': 'Un programme',
-  'Distances inside of tetrahedra made on this page have no lines.':
-    'Les distances à l’intérieur de tétraèdres faits sur cette page n’ont pas de lignes.',
   'The mesh was simplified on this page; save it, and open the saved mesh.':
     'Le maillage a été simplifié sur cette page ; enregistrez-le, et ouvrez celui qui est enregistré.',
-  'Paint, walls and slopes of this page have no lines.': 'Peinture, murs et pentes de cette page n’ont pas de lignes.',
+  'Lengths are in the unit of the file, which is {0} {1}.':
+    'Les longueurs sont dans l’unité du fichier, qui est {0} {1}.',
+  'The page has refined distances below {0} to exact ones; these are of the method alone.':
+    'La page a rendu exactes les distances au-dessous de {0} ; celles-ci sont de la méthode seule.',
+  'Triangles of the file were left out, so what is painted is not in these lines.':
+    'Des triangles du fichier ont été omis, donc ce qui est peint n’est pas dans ces lignes.',
+  'Walls cost other than on the page, by which the time step of heat differs a little.':
+    'Les murs coûtent autre chose que sur la page, et le pas de temps de la chaleur en diffère un peu.',
+  'The program has no cost of height, which is {0} at the highest place.':
+    'Le programme n’a pas de coût de la hauteur, qui est {0} à l’endroit le plus haut.',
+  'Lines of Rust are for surfaces without costs and walls. Choose the command line or Python.':
+    'Les lignes de Rust sont pour les surfaces sans coûts ni murs. Choisissez la ligne de commande ou Python.',
   '{0} has room for {1} sources, and these are {2}.': '{0} a de la place pour {1} sources, et celles-ci sont {2}.',
-  'A source inside of tetrahedra has no place on a surface.':
-    'Une source à l’intérieur de tétraèdres n’a pas de place sur une surface.',
+  'A source is on the boundary, where the program has no places inside of tetrahedra. Move it inside.':
+    'Une source est sur le bord, où le programme n’a pas de places à l’intérieur de tétraèdres. Déplacez-la à l’intérieur.',
   'Triangles of the file were left out or flipped, so sources are only found again at vertices.':
     'Des triangles du fichier ont été omis ou retournés ; les sources ne se retrouvent donc qu’aux sommets.',
   'The solver could not be started.': 'Le solveur n’a pas pu démarrer.',

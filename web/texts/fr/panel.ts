@@ -99,6 +99,10 @@ export const PANEL: Texts = {
   Contacts: 'Contacts',
   'Operator edges': 'Arêtes de l’opérateur',
   Isolines: 'Isolignes',
+  Arrows: 'Flèches',
+  'No arrows': 'Sans flèches',
+  'Its colors are those of viridis: those of the style do not tell values apart.':
+    'Ses couleurs sont celles de viridis : celles du style ne distinguent pas les valeurs.',
   'Heat gradient': 'Gradient de la chaleur',
   'Distance gradient': 'Gradient de la distance',
   distance: 'distance',
@@ -173,6 +177,9 @@ export const PANEL: Texts = {
   'The clipboard is not available. Copy the lines from the field.':
     'Le presse-papiers n’est pas disponible. Copiez les lignes depuis le champ.',
   'Copy lines': 'Copier les lignes',
+  '{0} is from {1}.': '{0} vient de {1}.',
+  '"Save distances" as "{0}" on the page writes {1}, which these lines open.':
+    '« Enregistrer les distances » en « {0} » sur la page écrit {1}, que ces lignes ouvrent.',
   'Lines that give the present distances again': 'Lignes qui redonnent les distances affichées',
   'There are no distances yet.': 'Il n’y a pas encore de distances.',
   'Costs of the file': 'Coûts du fichier',

@@ -2,9 +2,11 @@ import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
 import { LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from '../../state/scene';
 import { AUTOMATIC, UP, type Up, VERTEX_FIELD, type VertexField } from '../../wasm/contract';
-import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
+import { available } from '../../session/overlays';
+import { attribute, h, labelled, radios, say, select, slider, toggle } from '../dom';
 import { finePercent } from '../words';
-import { count, t, type Words } from '../../texts';
+import { tells } from '../../state/styles';
+import { count, sentences, t, type Words } from '../../texts';
 
 const OVERLAY_WORDS: Record<Overlay, Words> = {
   scenery: t('Inactive parts (scenery)'),
@@ -16,8 +18,9 @@ const OVERLAY_WORDS: Record<Overlay, Words> = {
   heat: t('Heat gradient'),
   distance: t('Distance gradient'),
 };
-/** Both are drawn as arrows: one replaces the other. */
-const ARROWS: readonly Overlay[] = ['heat', 'distance'];
+/** Of these there is one at a time. */
+const ARROWS = ['heat', 'distance'] as const satisfies readonly Overlay[];
+type Arrows = (typeof ARROWS)[number] | 'none';
 
 const COLOR_BY_WORDS: Record<VertexField, Words> = {
   distance: t('distance'),
@@ -45,14 +48,22 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
   const cameras = camerasControl(session);
   const lights = toggle(t('Lights of the file'), (on) => scene.edit({ lights: on ? 'file' : 'style' }));
   const legend = h('p', { class: 'quiet', role: 'status' });
-  const overlays = OVERLAYS.map((overlay) => {
+  const without = (gone: readonly Overlay[]) => scene.state.overlays.filter((overlay) => !gone.includes(overlay));
+  const overlays = OVERLAYS.filter((overlay) => !isArrows(overlay)).map((overlay) => {
     const { element, show, allow } = toggle(OVERLAY_WORDS[overlay], (on) => {
-      const gone = ARROWS.includes(overlay) ? ARROWS : [overlay];
-      const rest = scene.state.overlays.filter((other) => !gone.includes(other));
+      const rest = without([overlay]);
       scene.edit({ overlays: on ? [...rest, overlay] : rest });
     });
     return { overlay, element, show, allow };
   });
+  const arrows = radios<Arrows>(
+    t('Arrows'),
+    [['none', t('No arrows')], ...labelled(ARROWS, OVERLAY_WORDS)],
+    (chosen) => {
+      const rest = without(ARROWS);
+      scene.edit({ overlays: chosen === 'none' ? rest : [...rest, chosen] });
+    },
+  );
   const crowd = slider({
     label: t('Crowd'),
     min: 0,
@@ -83,6 +94,9 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
       element.hidden = method !== 'heat' && OF_HEAT.overlays.includes(overlay);
       showToggle(drawn.includes(overlay));
     }
+    const { overlays: shownOverlays } = available(scene.state, method);
+    arrows.offer((name) => method === 'heat' || name === 'none' || !OF_HEAT.overlays.includes(name));
+    arrows.show(ARROWS.find((name) => shownOverlays.includes(name)) ?? 'none');
     crowd.show(Math.round(CROWD_STEPS * Math.sqrt(scene.state.crowd / LARGEST_CROWD)));
     showLegend();
   };
@@ -100,11 +114,16 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
     legend,
     onStage.element,
     ...overlays.map(({ element }) => element),
+    arrows.element,
     crowd.element,
     up.element,
     cameras,
     lights.element,
   );
+}
+
+function isArrows(overlay: Overlay): boolean {
+  return ARROWS.some((name) => name === overlay);
 }
 
 /** Where a file has cameras, goes to one of them. */
@@ -133,12 +152,19 @@ function walkersAt(step: number): number {
   return Math.round(LARGEST_CROWD * (step / CROWD_STEPS) ** 2);
 }
 
-function legendOf(session: Session, { colorBy, method }: SceneState): Words {
+function legendOf(session: Session, { colorBy, method, style }: SceneState): Words {
   const error = session.shown.value?.answer.field?.error;
   if (method !== 'heat' && OF_HEAT.colorBy.includes(colorBy))
     return t('Only the heat method has heat; distance is shown.');
-  if (colorBy === 'heat') return t('Log scale, from the hottest vertex to the coldest.');
   if (colorBy === 'distance') return '';
-  if (!error) return t('The error is known once all distances are exact.');
-  return t`Relative error: mean ${finePercent(error.mean)}; the color scale ends at the maximum, ${finePercent(error.max)}.`;
+  if (colorBy === 'error' && !error) return t('The error is known once all distances are exact.');
+  const scale =
+    colorBy === 'heat' || !error
+      ? t('Log scale, from the hottest vertex to the coldest.')
+      : t`Relative error: mean ${finePercent(error.mean)}; the color scale ends at the maximum, ${finePercent(error.max)}.`;
+  // That a choice of colors changes nothing is to be known where it is made.
+  return sentences(
+    scale,
+    tells(style) ? null : t('Its colors are those of viridis: those of the style do not tell values apart.'),
+  );
 }

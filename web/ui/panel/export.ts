@@ -5,6 +5,7 @@ import { isolineWish } from '../../session/isolines';
 import type { Engine } from '../../solver/engine';
 import type { Session } from '../../session/session';
 import { commandLines, type Measured, pythonLines } from '../../state/reproduce';
+import type { MeshReference } from '../../state/scene';
 import { isolinesText, parseIsolines } from '../../state/isolines';
 import { rustLines } from '../../state/rust';
 import { isSameUnit, type LengthUnit, MODEL, told, toldArea, unitOf, unitOfFile } from '../../length';
@@ -258,12 +259,38 @@ function reproduceControls(session: Session, action: Action): HTMLElement[] {
 }
 
 async function measuredBy(session: Session): Promise<Measured> {
-  measured(session);
+  asked(session);
   const { shown, scene, request } = session;
   const { opened, answer } = shown.value ?? {};
   if (!opened || !answer?.field || !request) throw new Failure(t('There are no distances yet.'));
-  const isPreset = scene.state.mesh.kind === 'preset';
-  const input = isPreset ? await request.load() : null;
-  const mesh = input?.kind === 'shape' ? `shape:${input.shape}` : opened.name;
-  return { state: scene.state, mesh, opened, field: answer.field, unit: shownUnit(session) };
+  const [mesh, origin] = await namedAs(session, scene.state.mesh);
+  const present = { state: scene.state, mesh, origin, opened, field: answer.field, unit: shownUnit(session) };
+  return origin && scene.state.mesh.kind === 'preset' ? inShownUnit(present) : present;
+}
+
+/** The same on a mesh that was saved in the unit that is shown. */
+function inShownUnit(ofModel: Measured): Measured {
+  const { state, unit } = ofModel;
+  const { scale } = unit;
+  const offset = <P extends { offset?: number }>(point: P): P =>
+    point.offset === undefined ? point : { ...point, offset: scale * point.offset };
+  const sources = state.sources.map(offset);
+  const sets = state.sets.map((set) => ({ ...offset(set), points: set.points.map(offset) }));
+  const bridge = typeof state.bridge === 'number' ? scale * state.bridge : state.bridge;
+  return { ...ofModel, state: { ...state, sources, sets, bridge }, unit: { ...unit, scale: 1 } };
+}
+
+/** What a program can open that a mesh is in, and how to come by it; null where that is clear. */
+async function namedAs(
+  { request, shown }: Session,
+  mesh: MeshReference,
+): Promise<[mesh: string, origin: Words | null]> {
+  const { name = '', interior = null } = shown.value?.opened ?? {};
+  if (mesh.kind === 'file') return [name, null];
+  if (mesh.kind === 'address') return [name, t`${name} is from ${mesh.address}.`];
+  const input = await request?.load();
+  if (input?.kind === 'shape' || input?.kind === 'tetrahedra') return [`shape:${input.shape}`, null];
+  const [ending, kind] = interior ? ['msh', t('Gmsh, tetrahedra')] : ['ply', t('PLY, double')];
+  const file = `${fileNameOf(shown.value)}.distances.${ending}`;
+  return [file, t`"Save distances" as "${kind}" on the page writes ${file}, which these lines open.`];
 }

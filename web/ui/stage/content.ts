@@ -16,8 +16,9 @@ import {
 } from '../../state/legend';
 import { measure, unitWords } from '../../state/measures';
 import { entry } from '../../state/entry';
-import { type Pattern, rampBytes, WIDEST_LINE } from '../../state/styles';
+import { type Pattern, rampBytes, type Style, telling, WIDEST_LINE } from '../../state/styles';
 import { between, cross, dot, type Vector } from '../../state/vector';
+import type { View } from '../../view/view';
 import { t, sentences, type Words } from '../../texts';
 
 /** A bar of the colors. */
@@ -64,12 +65,13 @@ export function contentOf(session: Session, isCompact: boolean): Content | null 
   const { shown, view, preview, scene } = session;
   if (!shown.value || preview.value || view.backend.value === null) return null;
   const { opened, answer } = shown.value;
-  const { style } = scene.state;
   const form = isCompact ? 'compact' : 'wide';
   const unit = unitOf(scene.state, opened);
   const { most, period, offset } = view.painted;
   const { colorBy: kind } = available(scene.state, answer.question.method);
   const isKnown = answer.field !== null && (kind !== 'error' || answer.field.error !== null);
+  const { style: own } = scene.state;
+  const style = kind === 'distance' ? own : telling(own);
   const ofFile = style.surfaceOf === 'file' && opened.appearance !== null;
   const isSeen = !ofFile || (style.pattern !== 'none' && style.maps.includes('colour'));
   const painted: Painted = { kind, most, isCost: isWeighted(answer.question.ground) };
@@ -90,7 +92,7 @@ export function contentOf(session: Session, isCompact: boolean): Content | null 
             const hasUnit = isCompact && isLast && kind === 'distance';
             return { at, text: String(hasUnit ? t`${text} ${unitWords(plain)}` : text) };
           }),
-          colours: coloursOf(session, ofFile),
+          colours: coloursOf(view, style, ofFile),
           key: JSON.stringify([style, ofFile, most, period, offset]),
         }
       : null,
@@ -114,8 +116,7 @@ function apartWords(pattern: Pattern, length: Words): Words {
 }
 
 /** The colors of the surface with its stripes, as they are without light. */
-function coloursOf({ scene, view }: Session, ofFile: boolean): Bar['colours'] {
-  const { style } = scene.state;
+function coloursOf(view: View, style: Style, ofFile: boolean): Bar['colours'] {
   const { most, period, offset } = view.painted;
   const periods = period > 0 ? most / period : 0;
   const isStriped = periods > 0 && style.maps.includes('colour');
