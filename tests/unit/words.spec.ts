@@ -3,7 +3,7 @@ import { MODEL, ofModel } from '../../web/length';
 import type { DistanceField } from '../../web/protocol';
 import type { Phase } from '../../web/solver/refiner';
 import { measure } from '../../web/state/measures';
-import { errorWords, exactnessWords, fieldSentence, refiningSentence } from '../../web/ui/words';
+import { errorWords, exactnessWords, fieldSentence, hikingWords, refiningSentence } from '../../web/ui/words';
 
 const FIELD: DistanceField = {
   distance: new Float32Array(),
@@ -80,4 +80,13 @@ test('every end of refinement has a sentence', () => {
   expect(String(refiningSentence('memory', PROPAGATED, { ...wish, pathKind: 'exact' }, MODEL))).toContain(
     'straightened',
   );
+});
+
+test('what slopes cost is told as hours and minutes of a hiker', () => {
+  const meters = { symbol: 'm', assumed: false, scale: 1 };
+  // 5.0367 km/h on the flat.
+  expect(String(hikingWords(ofModel(5036.7), meters))).toBe('1 h 0 min');
+  expect(String(hikingWords(ofModel(420), meters))).toBe('5 min');
+  expect(String(hikingWords(ofModel(10), { symbol: 'km', assumed: false, scale: 2 }))).toBe('3 h 58 min');
+  expect(hikingWords(ofModel(420), MODEL)).toBeNull();
 });

@@ -2,7 +2,7 @@
 import type { BuildReport, DistanceField, Factoring, FieldError, OpenedMesh } from '../protocol';
 import { MOST_SECONDS, type Phase } from '../solver/refiner';
 import { entry } from '../state/entry';
-import type { LengthUnit } from '../length';
+import { inUnit, isKnown, type LengthUnit, type ModelLength, told } from '../length';
 import { measure } from '../state/measures';
 import type { SceneState } from '../state/scene';
 import { partsOfFaces } from '../state/parts';
@@ -59,6 +59,17 @@ export function seconds(value: number): Words {
 
 export function bytes(value: number): Words {
   return t`${(value < 10 * 2 ** 20 ? tenths : whole)(value / 2 ** 20)} MiB`;
+}
+
+/** On the flat, by Tobler's hiking function: 6 exp(−3.5 · 0.05). */
+const HIKER_KM_PER_HOUR = 6 * Math.exp(-3.5 * 0.05);
+
+/** How long a hiker takes for what costs as much as a length of flat ground; null where no unit says how long that is. */
+export function hikingWords(cost: ModelLength, unit: LengthUnit): Words | null {
+  if (!isKnown(unit)) return null;
+  const minutes = Math.round((60 * told(cost, inUnit(unit, 'km'))) / HIKER_KM_PER_HOUR);
+  const hours = Math.floor(minutes / 60);
+  return hours === 0 ? t`${minutes} min` : t`${hours} h ${minutes % 60} min`;
 }
 
 /** Share of exact vertices that is worth telling. */

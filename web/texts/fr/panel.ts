@@ -218,8 +218,11 @@ export const PANEL: Texts = {
   Clear: 'Effacer',
   Slope: 'Pente',
   'Tobler’s hiking function': 'Fonction de marche de Tobler',
-  'Steep ground costs what Tobler’s hiking function says, as the mean of uphill and downhill.':
-    'Un terrain pentu coûte ce que dit la fonction de marche de Tobler, moyenne de la montée et de la descente.',
+  'Steep ground costs what Tobler’s hiking function says, as the mean of uphill and downhill. Up is {0}.':
+    'Un terrain pentu coûte ce que dit la fonction de marche de Tobler, moyenne de la montée et de la descente. Le haut est {0}.',
+  'A hiker takes {0}, at 5 km/h on the flat.': 'Un marcheur met {0}, à 5 km/h sur le plat.',
+  '{0} min': '{0} min',
+  '{0} h {1} min': '{0} h {1} min',
   Height: 'Altitude',
   'costs nothing': 'ne coûte rien',
   '{0} × at the top': '{0} × au sommet',

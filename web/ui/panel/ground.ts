@@ -9,7 +9,7 @@ import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
 import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
 import { measure, threeDigits } from '../../state/measures';
-import { percent } from '../words';
+import { hikingWords, percent } from '../words';
 import { sentences, t, type Words } from '../../texts';
 
 /** Of the button that paints them. */
@@ -106,11 +106,7 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
   const ofFile = h('button', { class: 'small', hidden: true, onclick: () => editor.paintWeights() }, COSTS_OF_FILE);
   const slope = toggle(t('Slope'), (on) => editor.setRelief({ slope: on }));
   attribute(slope.element, 'title', t('Tobler’s hiking function'));
-  const slopeHint = h(
-    'p',
-    { class: 'quiet' },
-    t('Steep ground costs what Tobler’s hiking function says, as the mean of uphill and downhill.'),
-  );
+  const slopeHint = h('p', { class: 'quiet' });
   const height = slider({
     label: t('Height'),
     min: -HEIGHT_POWERS,
@@ -152,13 +148,18 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
     const { ground } = scene.state;
     slope.show(ground.slope);
     slopeHint.hidden = !ground.slope;
+    const up = session.shown.value?.opened.drawTransform.up.toUpperCase().replace('-', '−') ?? '';
+    say(
+      slopeHint,
+      t`Steep ground costs what Tobler’s hiking function says, as the mean of uphill and downhill. Up is ${up}.`,
+    );
     height.show(Math.log2(ground.highest));
     clear.disabled = !isPainted(ground);
     const shown = session.shown.value;
     const path = shown?.answer.path;
     const walked =
       path && shown && (isWeighted(ground) || isPainted(ground))
-        ? costsSentence(path, unitOf(scene.state, shown.opened))
+        ? costsSentence(path, unitOf(scene.state, shown.opened), ground.slope)
         : null;
     const exactness = isWeighted(ground) ? t('Where costs differ, no distances are exact.') : null;
     say(legend, sentences(walked, exactness));
@@ -194,8 +195,12 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
   return h('div', {}, none, controls);
 }
 
-function costsSentence(path: DrawPath, unit: LengthUnit): Words {
-  return t`The path is ${measure(path.length, unit)} long and costs as much as ${measure(path.cost, unit)} of bare ground.`;
+function costsSentence(path: DrawPath, unit: LengthUnit, hasSlopes: boolean): Words {
+  const time = hasSlopes ? hikingWords(path.cost, unit) : null;
+  return sentences(
+    t`The path is ${measure(path.length, unit)} long and costs as much as ${measure(path.cost, unit)} of bare ground.`,
+    time && t`A hiker takes ${time}, at 5 km/h on the flat.`,
+  );
 }
 
 /** As it is painted: powers of two in steps of a twelfth. */
