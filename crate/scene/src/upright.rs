@@ -4,7 +4,7 @@ use std::array;
 use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
-use heatwalk::{Soup, Up, is_terrain};
+use heatwalk::{Soup, Up};
 
 /// A model stands on its lowest layer, so thick in heights of the model.
 const LAYER: f64 = 0.005;
@@ -21,7 +21,7 @@ const DIRECTIONS: usize = 32;
 /// where the convex hull of the layer is broad and has the centroid of the surface above it. Nothing is taken to be upside
 /// down or X up: bowls have broad rims, and such files are rare.
 pub fn upright(soup: &Soup) -> Up {
-    if is_terrain(soup) {
+    if soup.is_terrain() {
         return Up::Z;
     }
     let body = Body::of(soup);
@@ -94,6 +94,7 @@ fn triangles(soup: &Soup) -> impl Iterator<Item = [DVec3; 3]> {
 
 #[cfg(test)]
 mod tests {
+    use heatwalk::{Unit, UnitRule};
     use heatwalk_shapes as shapes;
 
     use super::*;
@@ -143,6 +144,19 @@ mod tests {
         table.push([[0.5, 1.15, 1.1], [0.6, 1.4, 1.3]]);
         table.push([[0.5, -0.5, 1.0], [0.6, -0.2, 1.2]]);
         assert_eq!(upright(&boxes(&table)), Up::Z);
+    }
+
+    #[test]
+    fn terrains_are_z_up_and_in_meters() {
+        let at = |k: u32| DVec3::new(f64::from(k % 6) * 30.0, f64::from(k / 6) * 30.0, f64::from(k * k % 7) * 3.0);
+        let square = |a: u32| [[a, a + 1, a + 7], [a, a + 7, a + 6]];
+        let squares = (0..30).filter(|k| k % 6 < 5).flat_map(square).collect();
+        let terrain = Soup::single("terrain", (0..36).map(at).collect(), squares);
+        assert_eq!(upright(&terrain), Up::Z);
+        assert_eq!(terrain.length_unit(UnitRule::Automatic).unit, Some(Unit::Meter));
+        let turned = changed(terrain, |p| DVec3::new(p.x, p.z, -p.y));
+        assert_eq!(upright(&turned), Up::Y);
+        assert_eq!(turned.length_unit(UnitRule::Automatic).unit, Some(Unit::Millimeter));
     }
 
     #[test]

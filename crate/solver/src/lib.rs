@@ -88,7 +88,6 @@ pub use heatwalk_surface::{
     BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle,
     InputVertex, LengthUnit, Link, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId,
     SurfacePoint, ToPoint, ToSource, Unit, UnitRule, VertexData, VertexId, Walls, Warning, WarningCode, WeldRule,
-    is_terrain,
 };
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,

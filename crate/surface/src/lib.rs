@@ -38,7 +38,6 @@ pub use path::{Path, PathPoint};
 pub use point::{Place, SNAP, Source, SurfacePoint, ToPoint, ToSource};
 pub use soup::{Attribute, Part, Selection, Soup};
 pub use surface::{BuildReport, Surface, SurfaceId, Walls};
-pub use terrain::is_terrain;
 pub use unit::{LengthUnit, Unit, UnitRule};
 pub use warning::{Warning, WarningCode, Warnings};
 pub use weld::MOST_COORDINATE;

@@ -121,14 +121,23 @@ impl Soup {
         })
     }
 
+    /// Whether it is a height field along Z whose vertices lie on a grid along X and Y, or, as maps have them, farther from the
+    /// origin than the ground is wide: digital elevation models are written so, with Z up and in meters.
+    #[must_use]
+    pub fn is_terrain(&self) -> bool {
+        is_terrain(&self.positions, &self.triangles)
+    }
+
     /// What its lengths are in, by a rule: where that is automatic and the format says no unit, meters for terrains
-    /// ([`is_terrain`]), else the one that the size of all of it suggests.
+    /// ([`Self::is_terrain`]), else the one that the size of all of it suggests.
     #[must_use]
     pub fn length_unit(&self, rule: UnitRule) -> LengthUnit {
         match (rule, self.unit) {
             (UnitRule::Is(unit), _) => LengthUnit { unit, is_assumed: false },
             (UnitRule::Automatic, Some(unit)) => LengthUnit { unit: Some(unit), is_assumed: false },
-            (UnitRule::Automatic, None) if is_terrain(self) => LengthUnit { unit: Some(Unit::Meter), is_assumed: true },
+            (UnitRule::Automatic, None) if self.is_terrain() => {
+                LengthUnit { unit: Some(Unit::Meter), is_assumed: true }
+            }
             (UnitRule::Automatic, None) => {
                 let corners = self.triangles.as_flattened().iter();
                 let positions = corners.filter_map(|&vertex| self.positions.get(vertex as usize).copied());

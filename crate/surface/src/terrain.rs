@@ -2,8 +2,6 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::soup::Soup;
-
 /// Heights are at least and at most this share of the longer and of the shorter side of the ground: less is a picture, more a body.
 const RELIEF: [f64; 2] = [0.002, 0.5];
 /// Least share of the rectangle around the ground that triangles cover; more than all of it is more than one height a place.
@@ -11,13 +9,11 @@ const COVERED: [f64; 2] = [0.5, 1.001];
 /// Least number of rows and of columns of a grid, and the least share of its places that have a vertex.
 const GRID: (usize, f64) = (4, 0.5);
 
-/// Whether the triangles are a height field along Z whose vertices lie on a grid along X and Y, or, as maps have them, farther from
-/// the origin than the ground is wide: digital elevation models are written so, with Z up and in meters.
-#[must_use]
-pub fn is_terrain(soup: &Soup) -> bool {
-    let position = |vertex: u32| soup.positions.get(vertex as usize).copied();
-    let triangles =
-        || soup.triangles.iter().filter_map(move |&[a, b, c]| Some([position(a)?, position(b)?, position(c)?]));
+/// Whether triangles are a height field along Z whose vertices lie on a grid along X and Y, or, as maps have them, farther from the
+/// origin than the ground is wide.
+pub(crate) fn is_terrain(positions: &[DVec3], triangles: &[[u32; 3]]) -> bool {
+    let position = |vertex: u32| positions.get(vertex as usize).copied();
+    let triangles = || triangles.iter().filter_map(move |&[a, b, c]| Some([position(a)?, position(b)?, position(c)?]));
     let (low, high) = triangles()
         .flatten()
         .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), point| (low.min(point), high.max(point)));
@@ -59,56 +55,57 @@ fn is_grid(points: impl Iterator<Item = DVec2>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{LengthUnit, Unit, UnitRule};
 
-    /// A grid of hills between two corners of the ground.
-    fn hills(low: DVec2, extent: DVec2, height: f64) -> Soup {
+    type Mesh = (Vec<DVec3>, Vec<[u32; 3]>);
+
+    /// A grid of hills over a ground from the origin on.
+    fn hills(extent: DVec2, height: f64) -> Mesh {
         const N: u32 = 12;
         let at = |i: u32, j: u32| {
             let share = DVec2::new(f64::from(i), f64::from(j)) / f64::from(N);
             let hill = (5.0 * share.x).sin() * (4.0 * share.y).cos();
-            (low + share * extent).extend(0.5 * height * hill)
+            (share * extent).extend(0.5 * height * hill)
         };
-        let positions = (0..=N).flat_map(|j| (0..=N).map(move |i| at(i, j))).collect();
         let square = |i: u32, j: u32| {
             let a = j * (N + 1) + i;
             [[a, a + 1, a + N + 2], [a, a + N + 2, a + N + 1]]
         };
-        Soup::single("hills", positions, (0..N).flat_map(|j| (0..N).flat_map(move |i| square(i, j))).collect())
+        let positions = (0..=N).flat_map(|j| (0..=N).map(move |i| at(i, j))).collect();
+        (positions, (0..N).flat_map(|j| (0..N).flat_map(move |i| square(i, j))).collect())
     }
 
-    fn moved(mut soup: Soup, change: impl Fn(DVec3) -> DVec3) -> Soup {
-        soup.positions.iter_mut().for_each(|position| *position = change(*position));
-        soup
+    fn moved((positions, triangles): &Mesh, change: impl Fn(DVec3) -> DVec3) -> Mesh {
+        (positions.iter().map(|&position| change(position)).collect(), triangles.clone())
+    }
+
+    fn is((positions, triangles): &Mesh) -> bool {
+        is_terrain(positions, triangles)
     }
 
     #[test]
-    fn grids_and_maps_are_terrains_in_meters() {
-        let grid = hills(DVec2::ZERO, DVec2::new(900.0, 600.0), 60.0);
-        let turned = moved(grid.clone(), |p| DVec2::from_angle(0.3).rotate(p.truncate()).extend(p.z));
-        let map = moved(turned.clone(), |p| p + DVec3::new(432_000.0, 5_120_000.0, 800.0));
-        assert!(is_terrain(&grid) && is_terrain(&map));
-        assert!(!is_terrain(&turned), "neither a grid nor a map");
-        let meters = LengthUnit { unit: Some(Unit::Meter), is_assumed: true };
-        assert_eq!(grid.length_unit(UnitRule::Automatic), meters);
-        assert_eq!(turned.length_unit(UnitRule::Automatic).unit, Some(Unit::Millimeter));
+    fn grids_and_maps_are_terrains() {
+        let grid = hills(DVec2::new(900.0, 600.0), 60.0);
+        let turned = moved(&grid, |p| DVec2::from_angle(0.3).rotate(p.truncate()).extend(p.z));
+        let map = moved(&turned, |p| p + DVec3::new(432_000.0, 5_120_000.0, 800.0));
+        assert!(is(&grid) && is(&map));
+        assert!(!is(&turned), "neither a grid nor a map");
     }
 
     #[test]
     fn what_is_no_height_field_along_z_is_none() {
-        let grid = || hills(DVec2::ZERO, DVec2::splat(10.0), 1.0);
-        let mut folded = grid();
-        folded.triangles[7].swap(0, 1);
+        let grid = hills(DVec2::splat(10.0), 1.0);
+        let mut folded = grid.clone();
+        folded.1[7].swap(0, 1);
         let cases = [
-            ("Y up", moved(grid(), |p| DVec3::new(p.x, p.z, -p.y))),
-            ("a picture", moved(grid(), |p| 1e-3 * p.z * DVec3::Z + p.truncate().extend(0.0))),
-            ("a bowl", moved(grid(), |p| DVec3::new(p.x, p.y, 9.0 * p.z))),
+            ("Y up", moved(&grid, |p| DVec3::new(p.x, p.z, -p.y))),
+            ("a picture", moved(&grid, |p| DVec3::new(p.x, p.y, 1e-3 * p.z))),
+            ("a bowl", moved(&grid, |p| DVec3::new(p.x, p.y, 9.0 * p.z))),
             ("folded", folded),
-            ("no number", moved(grid(), |p| p * f64::NAN)),
-            ("nothing", Soup::single("nothing", Vec::new(), Vec::new())),
+            ("no number", moved(&grid, |p| p * f64::NAN)),
+            ("nothing", (Vec::new(), Vec::new())),
         ];
-        for (what, soup) in cases {
-            assert!(!is_terrain(&soup), "{what}");
+        for (what, mesh) in cases {
+            assert!(!is(&mesh), "{what}");
         }
     }
 }
