@@ -48,6 +48,18 @@ export class HeatwalkPage {
     await this.rest();
   }
 
+  /** Opens pages without the legend from now on: it takes clicks on what lies under it. */
+  async withoutLegend(): Promise<void> {
+    await this.page.addInitScript(() => {
+      if (location.protocol !== 'about:') localStorage.setItem('heatwalk.legend', 'off');
+    });
+  }
+
+  /** Closes what was said on opening, which lies over the model. */
+  async closeSummary(): Promise<void> {
+    await this.page.locator('.message.summary').getByRole('button', { name: 'Close the message' }).click();
+  }
+
   /** Until the camera stands still. */
   async rest(): Promise<void> {
     await this.page.evaluate(cameraAtRest);

@@ -190,6 +190,7 @@ session.turntable.watch((turns, turned) => {
 });
 
 followTheme(view);
+stage.addEventListener('pointerdown', () => messages.goOn());
 view.trouble.watch((trouble) => messages.blind(trouble, () => void view.start()));
 view.failure.watch((failure) => {
   if (failure) messages.fail(messageOf(failure), detailsOf(failure));

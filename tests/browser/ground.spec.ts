@@ -10,8 +10,10 @@ const SIZE = 'Size';
 
 /** A grid seen from above. */
 async function openGrid(heatwalk: HeatwalkPage, options = 'method=auto'): Promise<void> {
+  await heatwalk.withoutLegend();
   await heatwalk.openFile('grid.off', GRID, `${VIEW}&s=${SOURCE.vertex}&w=${BEHIND.vertex}&${options}`);
   await heatwalk.settled();
+  await heatwalk.closeSummary();
   await openSection(heatwalk.page, 'ground');
 }
 

@@ -156,6 +156,33 @@ test('a component that no source reaches is named in the panel', async ({ heatwa
   expect(await page.evaluate(() => window.heatwalk.field?.unreachableVertices)).toBe(0);
 });
 
+/** Larger, and away from the middle. */
+function ball(parallels: number, size: number, shift: number): typeof BALL {
+  const { positions, triangles } = sphere(parallels);
+  const moved = positions.map(([x, y, z]): [number, number, number] => [
+    size * x + shift,
+    size * y + shift,
+    size * z + shift,
+  ]);
+  return { positions: moved, triangles };
+}
+
+test('the first source of a file is in its largest group, wherever that lies', async ({ heatwalk }) => {
+  await heatwalk.open();
+  // The nearest one to the eye is the smallest, then comes the largest.
+  const balls = { small: ball(8, 0.2, 9), large: ball(12, 2, 0), middle: ball(8, 1, -9) };
+  await heatwalk.dropAndOpen([['balls.obj', obj(balls)]]);
+  await heatwalk.settled();
+  const { sources, walker } = await heatwalk.scene();
+  const [first, last] = [balls.small.positions.length, balls.small.positions.length + balls.large.positions.length];
+  for (const place of [sources[0], walker]) {
+    const vertex = place && 'vertex' in place ? place.vertex : -1;
+    expect(vertex).toBeGreaterThanOrEqual(first);
+    expect(vertex).toBeLessThan(last);
+  }
+  expect(await heatwalk.distanceAt(sources[0])).toBe(0);
+});
+
 test('a link brings back the same scene and nearly the same picture', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await page.keyboard.press('p');

@@ -141,6 +141,10 @@ test('what a file does not say of itself is asked over the model, and a tap corr
   await button('Y').click();
   await expect.poll(async () => (await heatwalk.mesh()).up).toBe('y');
   await expect(button('Y')).toHaveAttribute('aria-pressed', 'true');
+  // Whoever goes on is not asked any more.
+  const [x, y] = await heatwalk.pixelOnModel();
+  await page.mouse.click(x, y);
+  await expect(question).toHaveCount(0);
   // What says its unit is not asked.
   await page.evaluate(() => (location.hash = '#v=1&m=teapot'));
   await expect(page.locator('.message.summary p')).toContainText('Teapot, ');

@@ -28,7 +28,9 @@ test('a line, a boundary and a list are entries of the list, with undo, and the 
   heatwalk,
   page,
 }) => {
+  await heatwalk.withoutLegend();
   await heatwalk.openFile('grid.off', GRID, `${VIEW}&s=${at(6, 12).vertex}`);
+  await heatwalk.closeSummary();
   await click(heatwalk, at(12, 12), 'Shift');
   await expect(rows(heatwalk)).toHaveText(['Line of 7 vertices']);
   await click(heatwalk, at(12, 18), 'Shift');
@@ -148,7 +150,9 @@ test('a stroke is drawn by hand and closed where it began; a part by a click; a 
   heatwalk,
   page,
 }) => {
+  await heatwalk.withoutLegend();
   await heatwalk.openFile('grid.off', GRID, `${VIEW}&s=none&refine=0`);
+  await heatwalk.closeSummary();
   await page.getByRole('button', { name: 'Delete source 1' }).click();
   await expect(rows(heatwalk)).toHaveCount(0);
   await page.getByRole('combobox', { name: 'Draw' }).selectOption('stroke');

@@ -30,8 +30,10 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone, sha
   heatwalk,
   page,
 }) => {
+  await heatwalk.withoutLegend();
   await heatwalk.openFile('square.off', off(grid(N)), VIEW);
   await heatwalk.settled();
+  await heatwalk.closeSummary();
   const solves = await heatwalk.solves();
   await page.keyboard.press('m');
   await expect(page.getByRole('button', { name: 'Measure' }).first()).toHaveAttribute('aria-pressed', 'true');

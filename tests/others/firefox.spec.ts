@@ -81,9 +81,9 @@ test('in Firefox a first visit opens, drops, clicks, drags, shares, saves, and g
   await page.mouse.up();
   await expect.poll(async () => (await scene()).sources[0]).not.toEqual(place);
   const before = await page.evaluate(() => window.heatwalk.camera);
-  await page.mouse.move(20, 150);
+  await page.mouse.move(20, 230);
   await page.mouse.down();
-  await page.mouse.move(80, 130);
+  await page.mouse.move(80, 210);
   await page.mouse.up();
   await expect.poll(() => page.evaluate(() => window.heatwalk.camera)).not.toEqual(before);
 

@@ -1,5 +1,5 @@
 /** The first answer of a mesh that has just been opened. */
-import type { MeshInput, Moment, OpenedMesh } from '../protocol';
+import type { MeshInput, Moment, OpenedMesh, Source } from '../protocol';
 import type { Wanted } from '../solver/client';
 import type { Answer, Engine, Question } from '../solver/engine';
 import { Cancelled } from '../solver/remote';
@@ -10,6 +10,7 @@ import { allSources } from '../state/sources';
 import { MODEL_STYLE } from '../state/styles';
 import { reducedMotion } from '../view/motion';
 import { AUTOMATIC } from '../wasm/contract';
+import { firstSource } from './first';
 import type { Mesh } from './found';
 import type { Words } from '../texts';
 
@@ -94,11 +95,17 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   const placed = await (request.transfer ? request.transfer(mesh) : placedOn(mesh, request.state));
   let { sources, walker } = placed;
   const { sets, tapes } = placed;
-  if (request.choosePlaces && sources.length + sets.length === 0) sources = [places.extreme([0.5, 0.4, 0.75])];
+  const isWithout = request.choosePlaces && sources.length + sets.length === 0;
   const { inputVertices, faces: triangles } = opened.report;
   const isFitting = fits(request.state.ground, { triangles, inputVertices });
   const ground = isFitting ? request.state.ground : { ...LEVEL };
-  let answer = await ask(engine, { ...request.state, sources, sets, walker, ground });
+  const answerTo = (wanted: readonly Source[]) =>
+    ask(engine, { ...request.state, sources: wanted, sets, walker, ground });
+  let answer: Answer;
+  if (isWithout) {
+    const first = await firstSource(places, (source) => answerTo([source]));
+    [sources, answer] = [[first.source], first.answer];
+  } else answer = await answerTo(sources);
   if (request.choosePlaces && !walker && answer.field) {
     walker = places.farthest(answer.field);
     const { posed } = answer;

@@ -1,7 +1,8 @@
 /** How a field is distributed over the surface, and how far it was off by distance. */
 
 import { entry } from './entry';
-import { cornersOf, cross, minus, type Triangle, vectorAt } from './vector';
+import { areaOfTriangle, cornersOf, vectorAt } from './vector';
+
 /** Triangles with a value at each corner. */
 export interface Values {
   /** #D × 3. */
@@ -31,7 +32,7 @@ export function distributionOf({ positions, triangles, distance, byCorner }: Val
   const wholly = new Float64Array(bins + 2);
   let [reached, unreached] = [0, 0];
   for (let face = 0; 3 * face < triangles.length; face++) {
-    const area = areaOf(cornersOf(positions, triangles, face));
+    const area = areaOfTriangle(cornersOf(positions, triangles, face));
     const [a, b, c] = byCorner ? [3 * face, 3 * face + 1, 3 * face + 2] : vectorAt(triangles, face);
     const [p, q, r] = [entry(distance, a), entry(distance, b), entry(distance, c)];
     const [least, most] = [Math.min(p, q, r), Math.max(p, q, r)];
@@ -96,8 +97,4 @@ export function errorsByDistance(errors: Float32Array, distance: Float32Array, b
 
 function largest(values: Float32Array): number {
   return values.reduce((most, value) => (value > most && value < Infinity ? value : most), 0);
-}
-
-function areaOf([a, b, c]: Triangle): number {
-  return Math.hypot(...cross(minus(b, a), minus(c, a))) / 2;
 }

@@ -1,7 +1,7 @@
 /** Where surface points lie on the drawn mesh, and what holds there. */
 import type { DistanceField, DrawPose, OpenedMesh, MeshPoint } from '../protocol';
 import { type ModelLength, ofModel } from '../length';
-import { distance, moved, normalized, type Vector, vectorAt } from './vector';
+import { areaOfTriangle, cornersOf, distance, moved, normalized, type Vector, vectorAt } from './vector';
 import { entry } from './entry';
 
 /** Least and greatest corner of a box. */
@@ -133,13 +133,25 @@ export class Places {
     return entry(inputVertices, entry(surface.triangles, 3 * point.face + heaviest));
   }
 
-  /** The vertex that lies farthest in a direction. */
-  extreme([x, y, z]: Vector): MeshPoint {
+  /** The vertex that lies farthest in a direction, of those that are not `left` out. */
+  extreme([x, y, z]: Vector, left?: Uint8Array): MeshPoint {
     const { surface, inputVertices } = this.#mesh;
     const at = (index: number) => entry(surface.positions, index);
-    const along = (vertex: number) => x * at(3 * vertex) + y * at(3 * vertex + 1) + z * at(3 * vertex + 2);
+    const along = (vertex: number) =>
+      left?.[vertex] ? Number.NEGATIVE_INFINITY : x * at(3 * vertex) + y * at(3 * vertex + 1) + z * at(3 * vertex + 2);
     const drawn = indexOfMax(inputVertices.length, along);
     return { vertex: entry(inputVertices, drawn) };
+  }
+
+  /** `#D`: a third of the areas of the triangles around each drawn vertex. */
+  vertexAreas(): Float64Array {
+    const { positions, triangles } = this.#mesh.surface;
+    const areas = new Float64Array(positions.length / 3);
+    for (let face = 0; 3 * face < triangles.length; face++) {
+      const area = areaOfTriangle(cornersOf(positions, triangles, face)) / 3;
+      for (const corner of vectorAt(triangles, face)) areas[corner] = (areas[corner] ?? 0) + area;
+    }
+    return areas;
   }
 
   /** The vertex with the largest finite value. */

@@ -63,3 +63,7 @@ export function cornersOf(positions: ArrayLike<number>, triangles: ArrayLike<num
 export function weighted([a, b, c]: Triangle, [u, v, w]: Vector): Vector {
   return [u * a[0] + v * b[0] + w * c[0], u * a[1] + v * b[1] + w * c[1], u * a[2] + v * b[2] + w * c[2]];
 }
+
+export function areaOfTriangle([a, b, c]: Triangle): number {
+  return Math.hypot(...cross(minus(b, a), minus(c, a))) / 2;
+}

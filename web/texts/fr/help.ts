@@ -207,4 +207,5 @@ export const HELP: Texts = {
   'Saves what is behind the model too; else it is transparent.':
     'Enregistre aussi ce qui est derrière le modèle ; sinon c’est transparent.',
   'What is recorded: a turn around the model, or the walk.': 'Ce qui est filmé : un tour du modèle, ou la marche.',
+  'No directions are drawn.': 'Aucune direction n’est dessinée.',
 };

@@ -179,6 +179,7 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
       t('Curves on which the distance is the same, at the edges of the stripes.'),
       'page#curves-and-data',
     ),
+    'No arrows': about(t('No directions are drawn.'), 'method#directions'),
     'Heat gradient': about(t('Arrows along the unit gradient of heat, towards the sources.'), 'method#directions'),
     'Distance gradient': about(t('Arrows along the gradient of the distance.'), 'method#directions'),
     Crowd: about(t('Walkers that all take the shortest way to a source.'), 'method#crowds'),

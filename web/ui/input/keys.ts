@@ -80,7 +80,8 @@ export class Keys {
   #backOut(event: KeyboardEvent): boolean {
     if (hasModifier(event)) return false;
     if (event.key === 'Delete' || event.key === 'Backspace') return removeSelected(this.#o.session.scene);
-    if (event.key !== 'Escape') return false;
+    // The browser closes a menu that is open.
+    if (event.key !== 'Escape' || document.querySelector(':popover-open')) return false;
     this.#escape(this.#o.closeMessage);
     return true;
   }

@@ -104,6 +104,11 @@ export class Messages implements Notifier {
     this.#asked = null;
   }
 
+  /** Whoever goes on with the model has no answer to what was asked about it. */
+  goOn(): void {
+    if (this.#summary?.querySelector('.question')) this.#summary.remove();
+  }
+
   /** Escape closes the newest message. */
   closeNewest(): boolean {
     const all = this.element.querySelectorAll('.message');
