@@ -1,5 +1,5 @@
 /** The first source of a mesh for which nobody wishes one. */
-import type { MeshPoint } from '../protocol';
+import type { Source } from '../protocol';
 import type { Answer } from '../solver/engine';
 import type { Places } from '../state/places';
 import { entry } from '../state/entry';
@@ -10,13 +10,13 @@ const TOWARDS: Vector = [0.5, 0.4, 0.75];
 /** Groups that are looked at: the largest of more is found where it is none of the smallest. */
 const MOST_TRIES = 6;
 
-/** A source in the largest of the groups between which no distance leads, by their areas, and what is answered to it. */
+/** A source in the largest of the groups between which no distance leads, by their areas, and what is answered to it, by the same array. */
 export async function firstSource(
   places: Places,
-  ask: (source: MeshPoint) => Promise<Answer>,
-): Promise<{ source: MeshPoint; answer: Answer }> {
-  const source = places.extreme(TOWARDS);
-  let best = { source, answer: await ask(source) };
+  ask: (sources: readonly Source[]) => Promise<Answer>,
+): Promise<{ sources: readonly Source[]; answer: Answer }> {
+  const sources = [places.extreme(TOWARDS)];
+  let best = { sources, answer: await ask(sources) };
   const { field } = best.answer;
   if (!field || field.byCorner || field.unreachableVertices === 0) return best;
   const areas = places.vertexAreas();
@@ -32,9 +32,9 @@ export async function firstSource(
     rest -= area;
     if (area > most) [best, most] = [tried, area];
     if (tries === MOST_TRIES || most >= rest) break;
-    const next = places.extreme(TOWARDS, isSeen);
-    tried = { source: next, answer: await ask(next) };
+    const next = [places.extreme(TOWARDS, isSeen)];
+    tried = { sources: next, answer: await ask(next) };
   }
   // The solver holds what it answered last.
-  return best === tried ? best : { source: best.source, answer: await ask(best.source) };
+  return best === tried ? best : { ...best, answer: await ask(best.sources) };
 }

@@ -103,8 +103,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
     ask(engine, { ...request.state, sources: wanted, sets, walker, ground });
   let answer: Answer;
   if (isWithout) {
-    const first = await firstSource(places, (source) => answerTo([source]));
-    [sources, answer] = [[first.source], first.answer];
+    ({ sources, answer } = await firstSource(places, answerTo));
   } else answer = await answerTo(sources);
   if (request.choosePlaces && !walker && answer.field) {
     walker = places.farthest(answer.field);
