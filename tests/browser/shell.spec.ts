@@ -78,6 +78,17 @@ test('the search finds settings by name and by what is said of them, commands wi
   await expect.poll(() => page.evaluate(() => window.heatwalk.mesh?.name)).toBe('torus');
 });
 
+test('the search opens again in the moment in which it closes', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const close = page.getByRole('button', { name: 'Close the search' });
+  await page.keyboard.press('Control+k');
+  await close.evaluate((button: HTMLElement) => {
+    button.click();
+    document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'k', ctrlKey: true, bubbles: true }));
+  });
+  await expect(close).toBeVisible();
+});
+
 test('what opens a mesh is in one menu: files, addresses, presets', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny&open=solve');
   const menu = page.getByRole('dialog', { name: 'Open' });

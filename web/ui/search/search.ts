@@ -20,8 +20,8 @@ const CONTROLS = '.field, button:not([role=tab]):not(.card), summary';
 
 /** Opens the search. `panel`: null where there is none. */
 export async function openSearch(commands: readonly Command[], opener: Opener, panel: Panel | null): Promise<void> {
-  if (document.querySelector('dialog.search')) return;
   await panel?.load();
+  if (document.querySelector('dialog.search[open]')) return;
   const items = [...commandItems(commands), ...presetItems(opener), ...(panel ? settingItems(panel) : [])];
   const list = h('ul', { role: 'listbox', id: 'search-list', 'aria-label': t('Found') });
   const none = h('p', { class: 'quiet', role: 'status' });
