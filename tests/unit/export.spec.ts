@@ -80,7 +80,6 @@ test('what costs more is in files that the lines write, and what the program doe
     field: field(1, 4),
   };
   expect(commandLines(measured).split('\n')).toEqual([
-    '# The program has no cost of height, which is 3 at the highest place.',
     "cat > weights.csv <<'END'",
     'triangle,cost',
     '1,2',
@@ -91,7 +90,7 @@ test('what costs more is in files that the lines write, and what the program doe
     '4,5',
     '5,9',
     'END',
-    'heatwalk distance shape:torus --unit mm --source 7 --weights weights.csv --walls walls.csv --slope-cost tobler --up z ' +
+    'heatwalk distance shape:torus --unit mm --source 7 --weights weights.csv --walls walls.csv --slope-cost tobler --height-cost 3 --up z ' +
       '--method propagation --windows 4 --output distances.csv',
   ]);
   expect(pythonLines(measured)).toContain(String.raw`write_text("triangle,cost\n1,2\n")`);

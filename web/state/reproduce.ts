@@ -2,7 +2,7 @@
 import { Failure } from '../error';
 import type { DistanceField, InnerPoint, OpenedMesh, Source } from '../protocol';
 import { AUTOMATIC, DEFAULT_PARAMETERS } from '../wasm/contract';
-import { costOf, EVEN, type Ground, isPainted, isWall, isWeighted } from './ground';
+import { costOf, EVEN, type Ground, isPainted, isWall } from './ground';
 import type { LengthUnit } from '../length';
 import { triangleOfFile } from './parts';
 import type { SceneState } from './scene';
@@ -107,7 +107,7 @@ function stepsOf(measured: Measured): Steps {
 }
 
 /** What the ground costs, and its walls, in files that the steps write. */
-function groundWords({ state: { ground, method }, opened }: Measured, { comments, files }: Steps): string[] {
+function groundWords({ state: { ground }, opened }: Measured, { comments, files }: Steps): string[] {
   const words: string[] = [];
   const rows = rowsOf(ground, opened);
   if (rows === null) comments.push(t('Triangles of the file were left out, so what is painted is not in these lines.'));
@@ -117,11 +117,9 @@ function groundWords({ state: { ground, method }, opened }: Measured, { comments
   };
   if (rows && written('weights.csv', 'triangle,cost', rows.weights)) words.push('--weights', 'weights.csv');
   if (rows && written('walls.csv', 'wall', rows.walls)) words.push('--walls', 'walls.csv');
-  if (method === 'heat' && isWeighted(ground) && ground.faces.some(isWall))
-    comments.push(t('Walls cost other than on the page, by which the time step of heat differs a little.'));
-  if (ground.slope) words.push('--slope-cost', 'tobler', '--up', opened.drawTransform.up);
-  if (ground.highest !== 1)
-    comments.push(t`The program has no cost of height, which is ${String(ground.highest)} at the highest place.`);
+  if (ground.slope) words.push('--slope-cost', 'tobler');
+  if (ground.highest !== 1) words.push('--height-cost', String(ground.highest));
+  if (ground.slope || ground.highest !== 1) words.push('--up', opened.drawTransform.up);
   return words;
 }
 

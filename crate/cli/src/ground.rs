@@ -9,7 +9,7 @@ use std::sync::Arc;
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use clap::{Args, ValueEnum};
 use glam::DVec3;
-use heatwalk::{Costs, DistanceSolver, FaceData, InputTriangle, InputVertex, Soup, Surface, Up, Walls, tobler};
+use heatwalk::{Costs, DistanceSolver, FaceData, InputTriangle, InputVertex, Relief, Soup, Surface, Up, Walls};
 use heatwalk_model::Model;
 use heatwalk_model::io::text;
 use heatwalk_volume::{TetMesh, TetSoup};
@@ -24,6 +24,9 @@ pub struct Ground {
     /// Cost by how steep the ground is against --up: Tobler's hiking function, the mean of both directions
     #[arg(long, value_name = "NAME", group = "turned")]
     pub slope_cost: Option<SlopeCost>,
+    /// Cost by height along --up: 1 at the lowest place, H at the highest, its logarithm in proportion between
+    #[arg(long, value_name = "H", group = "turned", value_parser = cost, allow_negative_numbers = true)]
+    pub height_cost: Option<f64>,
     /// Where nobody may walk: a CSV file with a triangle a row, or the two vertices of an edge
     #[arg(long, value_name = "FILE")]
     pub walls: Option<PathBuf>,
@@ -53,6 +56,12 @@ pub enum SlopeCost {
     Tobler,
 }
 
+fn cost(text: &str) -> Result<f64, String> {
+    let (least, most) = (Costs::RANGE.start(), Costs::RANGE.end());
+    let cost = text.parse().ok().filter(|cost| Costs::RANGE.contains(cost));
+    cost.ok_or_else(|| format!("a cost from {least} to {most} is needed"))
+}
+
 /// In place of an attribute's name: the colors of the vertices.
 const COLOR: &str = "COLOR";
 
@@ -71,14 +80,8 @@ impl Ground {
             Some(Weights::Attribute(name)) => Some(of_attribute(name, model, &surface)?),
             None => None,
         };
-        let slope = self.slope_cost.map(|SlopeCost::Tobler| Costs::of_slope(&surface, axis(up), tobler)).transpose()?;
-        let costs = match (weights, slope) {
-            (Some(weights), Some(slope)) => {
-                let product = weights.of_faces().iter().zip(slope.of_faces()).map(|(weight, slope)| weight * slope);
-                Some(Costs::new(&surface, product.collect())?)
-            }
-            (weights, slope) => weights.or(slope),
-        };
+        let relief = Relief { slope: self.slope_cost.is_some(), highest: self.height_cost.unwrap_or(1.0) };
+        let costs = Costs::both(weights, relief.costs(&surface, axis(up))?);
         solver.set_costs(costs);
         Ok(())
     }
@@ -87,7 +90,9 @@ impl Ground {
 impl Ground {
     /// What these mean inside of tetrahedra: the cost of each (`#T`), infinite for walls, where any are given.
     pub fn inside(&self, soup: &TetSoup, mesh: &TetMesh) -> Result<Option<Vec<f64>>> {
-        ensure!(self.slope_cost.is_none(), "--slope-cost is for surfaces and has no effect inside of tetrahedra");
+        for (name, is_given) in [("slope", self.slope_cost.is_some()), ("height", self.height_cost.is_some())] {
+            ensure!(!is_given, "--{name}-cost is for surfaces and has no effect inside of tetrahedra");
+        }
         let weights = match &self.weights {
             Some(Weights::File(path)) => Some(path),
             Some(Weights::Attribute(_)) => bail!("attributes are for surfaces; give --weights of tetrahedra in a file"),

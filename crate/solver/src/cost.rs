@@ -42,9 +42,7 @@ impl Costs {
                 range: "from 0.001 to 1000; make faces that none may enter walls",
             });
         }
-        let first = of_face[FaceId(0)];
-        let constant = of_face.iter().all(|&cost| cost == first).then_some(first);
-        Ok(Self { of_face: Arc::new(of_face), constant })
+        Ok(Self::of_checked(of_face))
     }
 
     /// Costs of all vertices (`#V`): that of a face is the mean of its corners'.
@@ -108,6 +106,43 @@ impl Costs {
             if high > low { ((mean - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 }
         };
         Self::new(surface, surface.faces().iter().map(|corners| cut(cost(share(corners)))).collect())
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        assert_eq!(self.of_face.len(), other.of_face.len(), "costs of as many faces");
+        Self::of_checked(self.of_face.iter().zip(other.of_face.iter()).map(|(one, other)| cut(one * other)).collect())
+    }
+
+    /// The products of both, cut to [`Costs::RANGE`], or the costs that there are.
+    ///
+    /// # Panics
+    /// Where they are not of as many faces.
+    pub fn both(one: Option<Self>, other: Option<Self>) -> Option<Self> {
+        match (one, other) {
+            (Some(one), Some(other)) => Some(one.times(&other)),
+            (one, other) => one.or(other),
+        }
+    }
+
+    /// These costs on the surface as walls part it. Nothing leads into walls, so that each of their faces costs as little as the
+    /// cheapest of the others: it neither makes costs differ nor stretches what is measured.
+    pub(crate) fn beside_walls(&self, parted: &Surface) -> Self {
+        let is_open = |face: FaceId| !parted.is_wall(face);
+        let open = self.of_face.enumerate().filter(|&(face, _)| is_open(face)).map(|(_, &cost)| cost);
+        match open.reduce(f64::min) {
+            Some(least) if parted.has_walls() => {
+                let cost = |(face, &cost): (FaceId, &f64)| if is_open(face) { cost } else { least };
+                Self::of_checked(self.of_face.enumerate().map(cost).collect())
+            }
+            _ => self.clone(),
+        }
+    }
+
+    /// Of numbers that are in range.
+    fn of_checked(of_face: FaceData<f64>) -> Self {
+        let first = of_face[FaceId(0)];
+        let constant = of_face.iter().all(|&cost| cost == first).then_some(first);
+        Self { of_face: Arc::new(of_face), constant }
     }
 
     /// Whether these are the same numbers in the same memory.

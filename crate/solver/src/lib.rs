@@ -67,6 +67,7 @@ mod options;
 pub mod path;
 pub mod propagation;
 mod refinement;
+mod relief;
 mod room;
 pub mod solver;
 
@@ -96,6 +97,7 @@ pub use options::{
 pub use path::{Enclosed, PathSearch, Straightest, descend, enclosed, refract, straighten, straightest};
 pub use propagation::{Carriers, ExactSearch, Propagation, PropagationOptions, Windows};
 pub use refinement::PropagationRefinement;
+pub use relief::Relief;
 pub use solver::{Answer, DistanceOptions, DistanceSolver, Joined, Solution};
 
 #[cfg(doctest)]

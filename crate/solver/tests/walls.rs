@@ -9,7 +9,7 @@ use crate::common::truth::Random;
 use crate::common::{nearest, surface};
 use glam::DVec3;
 use heatwalk::{
-    DistanceOptions, DistanceSolver, Element, FaceId, HalfedgeId, InputTriangle, Method, Place, Soup, Surface,
+    Costs, DistanceOptions, DistanceSolver, Element, FaceId, HalfedgeId, InputTriangle, Method, Place, Soup, Surface,
     VertexData, VertexId, Walls, descend, go_on,
 };
 use heatwalk_shapes::{grid, icosphere, torus};
@@ -73,6 +73,43 @@ fn distances_with_walls_are_those_of_the_surface_without_their_faces() {
             }
             assert!(compared > rest.vertex_count() / 2, "{compared} of {}", rest.vertex_count());
         }
+    }
+}
+
+#[test]
+fn what_walls_cost_makes_no_difference() {
+    let mut random = Random::new(3);
+    let whole = Arc::new(surface(&icosphere(3)));
+    let walls = random_walls(&whole, &mut random);
+    let source = open_vertex(&whole.walled(&walls).expect("faces of the surface"), &mut random);
+    let costs = |of_wall: f64, of_open: &dyn Fn(FaceId) -> f64| {
+        let cost = |face| if walls.faces.contains(&face) { of_wall } else { of_open(face) };
+        let of_face = (0..whole.face_count() as u32).map(FaceId).map(cost).collect();
+        Costs::new(&whole, of_face).expect("in range")
+    };
+    let answer = |costs: Costs, are_walls_first: bool, method: Method| {
+        let mut solver = DistanceSolver::new(Arc::clone(&whole));
+        if are_walls_first {
+            solver.set_walls(&walls).expect("faces of the surface");
+        }
+        solver.set_costs(Some(costs));
+        solver.set_walls(&walls).expect("faces of the surface");
+        solver.distance(&[source], &DistanceOptions::by(method), &mut go_on).expect("a source")
+    };
+    let halves = |face: FaceId| if face.index() % 2 == 0 { 2.0 } else { 3.0 };
+    for method in [Method::Heat, Method::Propagation] {
+        let expected = answer(costs(2.0, &halves), true, method).distance.values;
+        for (of_wall, are_walls_first) in [(1.0, true), (1000.0, false), (0.001, true)] {
+            let found = answer(costs(of_wall, &halves), are_walls_first, method).distance.values;
+            assert_eq!(found, expected, "walls that cost {of_wall}");
+        }
+    }
+    // Where all that can be walked on costs the same, distances are exact.
+    let answer = answer(costs(1.0, &|_| 5.0), false, Method::Auto);
+    assert_eq!(answer.method, Method::Exact);
+    let plain = distances(&Arc::new(whole.walled(&walls).expect("faces of the surface")), source);
+    for (found, plain) in answer.distance.values.iter().zip(plain.iter()) {
+        assert!(*found == 5.0 * plain || (found - 5.0 * plain).abs() <= 1e-12 * found, "{found} {plain}");
     }
 }
 

@@ -2,45 +2,14 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
 use heatwalk::surface::Error;
-use heatwalk::{Costs, FaceData, FaceId, HalfedgeId, InputVertex, Place, Surface, VertexId, Walls, tobler};
+use heatwalk::{Costs, FaceData, FaceId, HalfedgeId, InputVertex, Place, Relief, Surface, VertexId, Walls};
 use heatwalk_bindings::{Failure, Result};
 
 use crate::drawn::Drawn;
 
 /// What stands for a wall among costs.
 const WALL: f64 = f64::INFINITY;
-
-/// What the shape of the surface costs, on top of what is painted.
-#[derive(Clone, Copy, PartialEq)]
-pub struct Relief {
-    /// Whether slopes cost what Tobler's hiking function says, as the mean of both directions.
-    pub slope: bool,
-    /// What it costs at the highest place, as a multiple of the lowest one; between, its logarithm grows with height.
-    pub highest: f64,
-}
-
-impl Relief {
-    const LEVEL: Self = Self { slope: false, highest: 1.0 };
-
-    /// `#F`; none where it costs nothing.
-    fn costs(self, surface: &Surface, up: DVec3) -> Result<Option<FaceData<f64>>> {
-        let slope = if self.slope { Some(Costs::of_slope(surface, up, tobler)?) } else { None };
-        let height = if self.highest == 1.0 { None } else { Some(self.height(surface, up)?) };
-        Ok(match (slope, height) {
-            (Some(slope), Some(height)) => {
-                let both = slope.of_faces().iter().zip(height.of_faces()).map(|(slope, height)| slope * height);
-                Some(both.collect())
-            }
-            (one, other) => one.or(other).map(|costs| costs.of_faces().clone()),
-        })
-    }
-
-    fn height(self, surface: &Surface, up: DVec3) -> Result<Costs> {
-        Ok(Costs::of_height(surface, up, |share| self.highest.powf(share))?)
-    }
-}
 
 /// What is painted on a surface, and what follows from that.
 #[derive(Clone)]
@@ -51,11 +20,9 @@ pub struct Ground {
     /// `#F`; infinite for walls.
     painted: FaceData<f64>,
     relief: Relief,
-    /// `#F`, of the relief; none where it costs nothing.
-    of_relief: Option<FaceData<f64>>,
+    /// None where the relief costs nothing.
+    of_relief: Option<Costs>,
     pub walls: Walls,
-    /// None where all cost 1.
-    pub costs: Option<Costs>,
 }
 
 impl Ground {
@@ -68,7 +35,6 @@ impl Ground {
             relief: Relief::LEVEL,
             of_relief: None,
             walls: Walls::default(),
-            costs: None,
         }
     }
 
@@ -89,20 +55,18 @@ impl Ground {
         }
         let faces = self.painted.enumerate().filter(|&(_, &cost)| cost == WALL).map(|(face, _)| face).collect();
         self.walls = Walls { faces, edges: self.edges(lines)? };
-        self.costs = self.total()?;
         Ok(())
     }
 
-    /// Of all faces; none where all cost 1. What a wall costs does not matter: as much as the first other face, so that it does
-    /// not make costs differ.
-    fn total(&self) -> Result<Option<Costs>> {
-        let relief = |face: FaceId| self.of_relief.as_ref().map_or(1.0, |of_relief| of_relief[face]);
-        let cost = |(face, &painted): (FaceId, &f64)| painted * relief(face);
-        let Some(first) = self.painted.enumerate().map(cost).find(|&cost| cost != WALL) else { return Ok(None) };
-        let in_range = |cost: f64| cost.clamp(*Costs::RANGE.start(), *Costs::RANGE.end());
-        let of_face = self.painted.enumerate().map(cost).map(|cost| in_range(if cost == WALL { first } else { cost }));
-        let costs = Costs::new(&self.surface, of_face.collect())?;
-        Ok(Some(costs).filter(|costs| costs.constant() != Some(1.0)))
+    /// Of all faces; none where nothing costs more or less than 1. What a wall costs makes no difference.
+    pub fn costs(&self) -> Result<Option<Costs>> {
+        let painted = if self.painted.iter().all(|&cost| cost == 1.0 || cost == WALL) {
+            None
+        } else {
+            let cost = |&painted: &f64| if painted == WALL { 1.0 } else { painted };
+            Some(Costs::new(&self.surface, self.painted.iter().map(cost).collect())?)
+        };
+        Ok(Costs::both(painted, self.of_relief.clone()))
     }
 
     /// The edges of lines through vertices of the input.

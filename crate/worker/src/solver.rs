@@ -316,7 +316,7 @@ impl Solver {
             None => {
                 let height = height * self.solver.surface().bounding_radius();
                 let mut crowd = Crowd::new(Arc::clone(&self.shown), count as usize, height, CROWD_SEED)?;
-                crowd.set_costs(self.ground.costs.as_ref());
+                crowd.set_costs(self.solver.costs());
                 self.crowd = Some(crowd);
                 self.lead_crowd()?;
             }

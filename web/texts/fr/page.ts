@@ -279,10 +279,6 @@ export const PAGE: Texts = {
     'La page a rendu exactes les distances au-dessous de {0} ; celles-ci sont de la méthode seule.',
   'Triangles of the file were left out, so what is painted is not in these lines.':
     'Des triangles du fichier ont été omis, donc ce qui est peint n’est pas dans ces lignes.',
-  'Walls cost other than on the page, by which the time step of heat differs a little.':
-    'Les murs coûtent autre chose que sur la page, et le pas de temps de la chaleur en diffère un peu.',
-  'The program has no cost of height, which is {0} at the highest place.':
-    'Le programme n’a pas de coût de la hauteur, qui est {0} à l’endroit le plus haut.',
   'Lines of Rust are for surfaces without costs and walls. Choose the command line or Python.':
     'Les lignes de Rust sont pour les surfaces sans coûts ni murs. Choisissez la ligne de commande ou Python.',
   '{0} has room for {1} sources, and these are {2}.': '{0} a de la place pour {1} sources, et celles-ci sont {2}.',

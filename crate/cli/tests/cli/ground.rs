@@ -103,6 +103,27 @@ fn slopes_cost_by_the_axis_that_points_up() {
 }
 
 #[test]
+fn heights_cost_by_the_axis_that_points_up() {
+    let folder = folder("heights");
+    let plain = distances(&folder, &["flat.ply", "--source", "0"]);
+    let level = distances(&folder, &["flat.ply", "--source", "0", "--height-cost", "3"]);
+    assert!(difference(&plain, &level) < 1e-9);
+    // Up the side of length 1, where the costs of the eight cells' two triangles are 9 to the power of their heights.
+    let upright = distances(&folder, &["flat.ply", "--source", "0", "--height-cost", "9", "--up", "x"]);
+    let cost = |third: f64| (0..8).map(|cell| 9.0_f64.powf((f64::from(cell) + third / 3.0) / 8.0) / 8.0).sum::<f64>();
+    assert!((cost(1.0)..=cost(2.0)).contains(&upright[72]), "{} {} {}", upright[72], cost(1.0), cost(2.0));
+    // Both multiply.
+    fs::write(folder.join("costs.csv"), (0..128).map(|face| format!("{face},2\n")).collect::<String>()).unwrap();
+    let dear = ["flat.ply", "--source", "0", "--height-cost", "9", "--up", "x", "--weights", "costs.csv"];
+    let dear = distances(&folder, &dear);
+    assert!((dear[72] / upright[72] - 2.0).abs() < 1e-9, "{} {}", dear[72], upright[72]);
+    for bad in ["0", "-1", "inf", "steep"] {
+        let told = refused(&folder, &["distance", "flat.ply", "--source", "0", "--height-cost", bad]);
+        assert!(told.contains("--height-cost") && told.contains("0.001 to 1000"), "{told}");
+    }
+}
+
+#[test]
 fn walls_of_triangles_and_of_edges_are_walked_around() {
     let folder = folder("walls");
     let plain = distances(&folder, &["flat.ply", "--source", "4"]);
@@ -177,6 +198,8 @@ fn tetrahedra_have_costs_and_walls_too() {
     fs::write(folder.join("walls.csv"), walls).unwrap();
     let shut = json(&folder, &["distance", "shape:cave", "--source", "0:0.25,0.25,0.25,0.25", "--walls", "walls.csv"]);
     assert_eq!(shut["unreachable"].as_u64().unwrap() + 4, plain.len() as u64, "{shut}");
-    let told = refused(&folder, &["distance", "shape:cave", "--source", "0", "--slope-cost", "tobler"]);
-    assert!(told.contains("--slope-cost"), "{told}");
+    for [option, value] in [["--slope-cost", "tobler"], ["--height-cost", "2"]] {
+        let told = refused(&folder, &["distance", "shape:cave", "--source", "0", option, value]);
+        assert!(told.contains(option), "{told}");
+    }
 }

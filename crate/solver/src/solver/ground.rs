@@ -80,10 +80,11 @@ impl DistanceSolver {
         let parted = if walls.is_empty() { Arc::clone(whole) } else { Arc::new(whole.walled(walls)?) };
         self.parted = Arc::clone(&parted);
         self.measure_on(parted);
+        self.lay_costs();
         Ok(())
     }
 
-    /// Changes what faces cost, `None` for 1 everywhere. What is factored is factored again when it is needed.
+    /// Changes what faces cost, `None` for 1 everywhere. What the faces of walls cost makes no difference. What is factored is factored again when it is needed.
     ///
     /// # Panics
     /// Where there is not one cost a face.
@@ -92,10 +93,16 @@ impl DistanceSolver {
             assert_eq!(costs.of_faces().len(), self.surface.face_count(), "one cost a face");
         }
         self.forget();
-        self.costs = costs;
+        self.given_costs = costs;
+        self.lay_costs();
     }
 
-    /// What a unit of length costs, where that is not 1 everywhere.
+    fn lay_costs(&mut self) {
+        let costs = self.given_costs.as_ref().map(|costs| costs.beside_walls(&self.parted));
+        self.costs = costs.filter(|costs| costs.constant() != Some(1.0));
+    }
+
+    /// What a unit of length costs, where that is not 1 everywhere. The faces of walls cost as little as the cheapest of the others.
     pub fn costs(&self) -> Option<&Costs> {
         self.costs.as_ref()
     }

@@ -50,7 +50,9 @@ pub struct DistanceSolver {
     threads: NonZeroUsize,
     /// What paths cross from one component of the whole surface to another.
     joined: Joined,
-    /// What a unit of length costs, where that is not 1 everywhere.
+    /// As they were set.
+    given_costs: Option<Costs>,
+    /// What a unit of length costs beside the walls, where that is not 1 everywhere.
     costs: Option<Costs>,
     /// Without costs, which change more often than all else.
     plain: Option<Arc<ExactGeometry>>,
@@ -76,6 +78,7 @@ impl DistanceSolver {
             surface,
             threads,
             joined: Joined::default(),
+            given_costs: None,
             costs: None,
             plain: None,
             geometry: None,

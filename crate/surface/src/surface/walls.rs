@@ -123,6 +123,11 @@ impl Surface {
         self.is_wall.get(face).copied().unwrap_or(false)
     }
 
+    /// Whether any face is a wall.
+    pub fn has_walls(&self) -> bool {
+        self.is_wall.iter().any(|&is_wall| is_wall)
+    }
+
     /// The corners of a vertex by sectors, which paths reach from each other. The first one keeps the vertex's number: an open
     /// one, where there is any; those of walls come last. `edges` are parted at the walls.
     fn sectors(

@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
+use heatwalk::Relief;
 use heatwalk_bindings::Result;
 use heatwalk_scene::Crowd;
 use wasm_bindgen::prelude::*;
 
 use super::{CROWD_SEED, Solver};
 use crate::drawn::Drawn;
-use crate::ground::{Ground, Relief};
+use crate::ground::Ground;
 
 impl Solver {
     /// Parts the surface at the walls of another ground, in all poses.
@@ -51,14 +52,15 @@ impl Solver {
     ) -> Result<()> {
         let mut ground = self.ground.clone();
         ground.paint(triangles, costs, lines, Relief { slope, highest })?;
+        let costs = ground.costs()?;
         if ground.walls != self.ground.walls {
             self.part(&ground)?;
         }
-        self.solver.set_costs(ground.costs.clone());
+        self.solver.set_costs(costs);
         self.ground = ground;
         self.forget();
         if let Some(crowd) = &mut self.crowd {
-            crowd.set_costs(self.ground.costs.as_ref());
+            crowd.set_costs(self.solver.costs());
         }
         Ok(())
     }

@@ -25,8 +25,7 @@ impl Solver {
     }
 
     fn drawn_path(&self, path: &Path, shown: &Path) -> DrawPath {
-        let costs = self.ground.costs.as_ref();
-        draw_path(self.solver.surface(), path, shown, costs, &self.drawn.transform)
+        draw_path(self.solver.surface(), path, shown, self.solver.costs(), &self.drawn.transform)
     }
 }
 

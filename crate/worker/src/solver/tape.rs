@@ -30,7 +30,7 @@ impl Solver {
             weights: weights.collect(),
             length,
             straight: straight(path),
-            cost: self.ground.costs.as_ref().map_or(length, |costs| costs.of_path(surface, path)),
+            cost: self.solver.costs().map_or(length, |costs| costs.of_path(surface, path)),
         }
     }
 
