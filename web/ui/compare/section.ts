@@ -3,10 +3,17 @@ import type { PathKind, DrawPath } from '../../protocol';
 import type { Comparison } from '../../session/comparison';
 import type { Session } from '../../session/session';
 import { type Compared, differing, MIDDLE, settingsOf, STUDIED, type Studied } from '../../state/compared';
+import { wantedOf } from '../../session/prepare';
+import { type Answer, isSameField, type Question } from '../../solver/engine';
+import { measureSides, RUNS, type Side } from '../../solver/sides';
+import type { Times } from '../../state/table1';
 import { isMethodOf } from '../../state/inside';
 import { isSameUnit, type LengthUnit, unitOf } from '../../length';
+import { Failure } from '../../error';
+import { entry } from '../../state/entry';
 import type { Settings } from '../../state/settings';
 import { BOUNDARY, LINEAR_SOLVER, METHOD, OPERATOR, type Parameters, WINDOWS } from '../../wasm/contract';
+import { measuring } from '../charts/measuring';
 import { h, labelled, say, select, toggle } from '../dom';
 import { BOUNDARIES, METHODS, OPERATORS, SOLVERS, timeFactor } from '../settings';
 import { measure, threeDigits } from '../../state/measures';
@@ -17,7 +24,7 @@ import { count, listed, t, type Words } from '../../texts';
 
 const CHOICES: Record<Studied, Words> = {
   'time-step': t('m = 1 and m = 1000'),
-  solver: t('Cholesky and conjugate gradients'),
+  solver: t('Cholesky and conjugate gradients, m = 100'),
   boundary: t('Neumann and Dirichlet'),
   exact: t('Heat and exact'),
   automatic: t('Heat and automatic'),
@@ -71,6 +78,32 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     changeHeat({ solver: value }),
   );
   const status = h('p', { class: 'quiet' });
+  /** What both sides took, and for what; null until it is measured. */
+  let times: { of: readonly [Times, Times]; questions: readonly [Question, Question] } | null = null;
+  const sides = (): readonly [Side, Side] | null => {
+    const { compared, ...own } = scene.state;
+    const [left, right] = [session.shown.value?.answer, comparison.answer.value];
+    if (!compared || !left || !right) return null;
+    return [
+      { wanted: wantedOf(scene.state), question: left.question },
+      { wanted: wantedOf({ ...own, ...settingsOf(compared), compared }), question: right.question },
+    ];
+  };
+  const timing = measuring({
+    label: t('Measure times'),
+    steps: t('Runs of both sides'),
+    measure: async (signal) => {
+      const { request } = session;
+      const both = sides();
+      if (!request || !both) throw new Failure(t('There is nothing to compare yet.'));
+      times = null;
+      timing.progress.max = RUNS;
+      const of = await measureSides(request.load, both, signal, (done) => (timing.progress.value = done));
+      times = { of, questions: [both[0].question, both[1].question] };
+      return t('Each in a worker of its own, after a first run of both; solving is the median of five.');
+    },
+    ended: () => show(),
+  });
   const figures = h('table', { class: 'compare-figures' });
   const settings = [method, windows, refine, factor, boundary, operator, solver];
   const side = h(
@@ -91,6 +124,14 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     status.hidden = status.textContent === '';
     const isByHeat = compared?.method === 'heat';
     side.hidden = figures.hidden = compared === null;
+    const asked = sides();
+    const isTimed = asked?.every(({ question }, at) => times && isSame(entry(times.questions, at), question));
+    if (times && !isTimed) {
+      times = null;
+      say(timing.said, '');
+    }
+    if (!asked) timing.cancel();
+    for (const each of [timing.button, timing.said]) each.hidden = !asked;
     if (!compared) return;
     windows.element.hidden = isByHeat || isInside;
     refine.element.hidden = isInside || !(isByHeat || compared.method === 'auto');
@@ -114,9 +155,9 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     if (!compared || !left) return [];
     const keys = differing(own, compared);
     const both = (tell: (answer: NonNullable<typeof left>) => Words) => [left, right].map((one) => one && tell(one));
-    const rows: [Words, ...(Words | null | undefined)[]][] = [
-      [t('Factor'), ...both(({ factoring }) => timeOf(factoring.timings.precomputeMs))],
-      [t('Solve'), ...both(({ field }) => (field ? milliseconds(field.solveMs) : '–'))],
+    const rows: Row[] = [
+      ...factors(left, right),
+      ...timed(times?.of ?? null),
       [t('Maximum distance'), ...both(({ field }) => (field ? measure(field.maxDistance, unit) : '–'))],
       [t('Path'), ...both(({ path, pathKind }) => pathWords(path, pathKind, unit))],
     ];
@@ -157,9 +198,34 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     side,
     status,
     figures,
+    timing.button,
+    timing.progress,
+    timing.said,
     swap,
     end,
   );
+}
+
+function isSame(measured: Question, asked: Question): boolean {
+  return measured.method === asked.method && isSameField(measured, asked);
+}
+
+/** A name, and what stands for each side. */
+type Row = [Words, ...(Words | null | undefined)[]];
+
+/** The m of t = m h² that heat has flown for. */
+function factors(left: Answer, right: Answer | null): Row[] {
+  const row = [left, right].map((answer) => answer?.field?.timeFactor ?? null);
+  const isByHeat = row.some((factor) => factor !== null);
+  return isByHeat ? [[t('Time step m'), ...row.map((factor) => (factor === null ? null : threeDigits(factor)))]] : [];
+}
+
+function timed(times: readonly [Times, Times] | null): Row[] {
+  if (!times) return [];
+  return [
+    [t('Factor'), ...times.map(({ precompute }) => timeOf(precompute))],
+    [t('Solve'), ...times.map(({ solve }) => milliseconds(solve))],
+  ];
 }
 
 function button(text: Words, click: () => void): HTMLElement {
