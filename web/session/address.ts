@@ -31,7 +31,7 @@ export class Address {
       if (state !== previous) rest();
     });
     this.workspace.watch((open, previous) => {
-      if (open !== previous) rest();
+      if (previous !== undefined && open !== previous) rest();
     });
     // A link that cannot be opened gives way to the scene that stays.
     addEventListener('hashchange', () => {

@@ -54,7 +54,7 @@ export class GroundEditor {
       void this.#learn();
     });
     this.brush.watch((brush, previous) => {
-      if (brush.tool !== previous.tool) this.endLine();
+      if (brush.tool !== previous?.tool) this.endLine();
     });
     session.shown.watch((shown, previous) => {
       if (shown?.opened !== previous?.opened) this.endLine();

@@ -86,6 +86,18 @@ export function isWeighted(ground: Ground): boolean {
   return weighted;
 }
 
+const WALLED = new WeakMap<Ground, boolean>();
+
+/** Whether there is a wall that is no open gate. */
+export function hasWalls(ground: Ground): boolean {
+  let walled = WALLED.get(ground);
+  if (walled === undefined) {
+    walled = ground.faces.some(isWall) || ground.lines.some(({ open }) => !open);
+    WALLED.set(ground, walled);
+  }
+  return walled;
+}
+
 /** Whether there is anything to draw. */
 export function isPainted({ faces, lines }: Ground): boolean {
   return faces.length > 0 || lines.length > 0;

@@ -1,7 +1,7 @@
 /** A value that tells when it changes. */
 export class Signal<T> {
   #value: T;
-  readonly #listeners = new Set<(value: T, previous: T) => void>();
+  readonly #listeners = new Set<(value: T, previous: T | undefined) => void>();
 
   constructor(value: T) {
     this.#value = value;
@@ -18,10 +18,10 @@ export class Signal<T> {
     tellEach(this.#listeners, next, previous);
   }
 
-  /** Calls at once with the present value, then on every change. Returns the function that ends this. */
-  watch(listener: (value: T, previous: T) => void): () => void {
+  /** Calls at once with the present value, before which there was none, then on every change. Returns the function that ends this. */
+  watch(listener: (value: T, previous: T | undefined) => void): () => void {
     this.#listeners.add(listener);
-    listener(this.#value, this.#value);
+    listener(this.#value, undefined);
     return () => this.#listeners.delete(listener);
   }
 }

@@ -140,6 +140,14 @@ export function select<T extends string | number>(
   };
 }
 
+/** Says below a setting why changing it shows nothing now; null: it does show. */
+export function reason(field: HTMLElement, why: Words | null): void {
+  let told = field.querySelector('small');
+  if (!told) field.append((told = h('small', { class: 'quiet' })));
+  say(told, why);
+  told.hidden = why === null;
+}
+
 /** Names with what is said of each, as `select` takes them. */
 export function labelled<T extends string>(
   names: readonly T[],
@@ -151,15 +159,25 @@ export function labelled<T extends string>(
 export function toggle(
   label: Words,
   change: (on: boolean) => void,
-): { element: HTMLElement; show: (on: boolean) => void; allow: (allowed: boolean) => void } {
+): {
+  element: HTMLElement;
+  show: (on: boolean) => void;
+  /** Why it would show nothing, switched on; null: it would. What is on can be switched off all the same. */
+  bar: (why: Words | null) => void;
+} {
   const input = h('input', { type: 'checkbox', role: 'switch', onchange: () => change(input.checked) });
+  const element = h('label', { class: 'field' }, h('span', {}, label), input);
+  let isBarred = false;
   return {
-    element: h('label', { class: 'field' }, h('span', {}, label), input),
+    element,
     show: (on) => {
       input.checked = on;
+      input.disabled = isBarred && !on;
     },
-    allow: (allowed) => {
-      input.disabled = !allowed;
+    bar: (why) => {
+      isBarred = why !== null;
+      input.disabled = isBarred && !input.checked;
+      reason(element, why);
     },
   };
 }

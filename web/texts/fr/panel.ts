@@ -493,4 +493,16 @@ export const PANEL: Texts = {
   'Inside of tetrahedra there is no ground.': 'À l’intérieur de tétraèdres, il n’y a pas de terrain.',
   'Models of Table 1 of the report': 'Modèles du tableau 1 du rapport',
   Look: 'Aspect',
+  'All parts are active.': 'Toutes les parties sont actives.',
+  'The surface is closed.': 'La surface est fermée.',
+  'Nothing touches or is linked.': 'Rien ne se touche ni n’est relié.',
+  'Isolines are on surfaces alone.': 'Les isolignes ne sont que sur des surfaces.',
+  'There are no stripes.': 'Il n’y a pas de rayures.',
+  'The stripes have no relief.': 'Les rayures n’ont pas de relief.',
+  'Stripes and surface glow alike.': 'Rayures et surface luisent autant.',
+  'Stripes and surface shine alike.': 'Rayures et surface brillent pareillement.',
+  'Distances are exact, so the straightened path is too.':
+    'Les distances sont exactes, donc le chemin redressé l’est aussi.',
+  'The surface is closed: all of these are the same.': 'La surface est fermée : tous ces choix reviennent au même.',
+  'There is one source.': 'Il y a une seule source.',
 };

@@ -1,9 +1,11 @@
 import type { Session } from '../../session/session';
+import type { Shown } from '../../session/prepare';
 import type { Signal } from '../../state/signal';
 import { LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from '../../state/scene';
 import { AUTOMATIC, UP, type Up, VERTEX_FIELD, type VertexField } from '../../wasm/contract';
 import { available } from '../../session/overlays';
 import { attribute, h, labelled, radios, say, select, slider, toggle } from '../dom';
+import { hasWalls } from '../../state/ground';
 import { finePercent } from '../words';
 import { tells } from '../../state/styles';
 import { count, sentences, t, type Words } from '../../texts';
@@ -50,11 +52,11 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
   const legend = h('p', { class: 'quiet', role: 'status' });
   const without = (gone: readonly Overlay[]) => scene.state.overlays.filter((overlay) => !gone.includes(overlay));
   const overlays = OVERLAYS.filter((overlay) => !isArrows(overlay)).map((overlay) => {
-    const { element, show, allow } = toggle(OVERLAY_WORDS[overlay], (on) => {
+    const { element, show, bar } = toggle(OVERLAY_WORDS[overlay], (on) => {
       const rest = without([overlay]);
       scene.edit({ overlays: on ? [...rest, overlay] : rest });
     });
-    return { overlay, element, show, allow };
+    return { overlay, element, show, bar };
   });
   const arrows = radios<Arrows>(
     t('Arrows'),
@@ -87,10 +89,8 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
     up.show(scene.state.up);
     lights.show(scene.state.lights === 'file');
     lights.element.hidden = (session.shown.value?.opened.lights.length ?? 0) === 0;
-    const { contacts, links } = session.shown.value?.answer.factoring ?? { contacts: 0, links: 0 };
-    for (const { overlay, element, show: showToggle, allow } of overlays) {
-      if (overlay === 'contacts') allow(contacts + links > 0);
-      if (overlay === 'isolines') allow(!session.shown.value?.opened.interior);
+    for (const { overlay, element, show: showToggle, bar } of overlays) {
+      bar(session.shown.value && whyNothing(overlay, session.shown.value));
       element.hidden = method !== 'heat' && OF_HEAT.overlays.includes(overlay);
       showToggle(drawn.includes(overlay));
     }
@@ -120,6 +120,18 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
     cameras,
     lights.element,
   );
+}
+
+/** Why an overlay shows nothing; null: it shows something. */
+function whyNothing(overlay: Overlay, { opened, answer }: Shown): Words | null {
+  const { report, interior, scenery } = opened;
+  const { contacts, links } = answer.factoring;
+  if (overlay === 'scenery' && scenery.length === 0) return t('All parts are active.');
+  if (overlay === 'boundary' && report.boundaryLoops === 0 && !hasWalls(answer.question.ground))
+    return t('The surface is closed.');
+  if (overlay === 'contacts' && contacts + links === 0) return t('Nothing touches or is linked.');
+  if (overlay === 'isolines' && interior) return t('Isolines are on surfaces alone.');
+  return null;
 }
 
 function isArrows(overlay: Overlay): boolean {

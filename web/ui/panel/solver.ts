@@ -1,6 +1,8 @@
+import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { isMethodOf } from '../../state/inside';
 import { isSameUnit, unitOf } from '../../length';
+import { hasWalls } from '../../state/ground';
 import { type Bridge, mayBeJoined } from '../../state/scene';
 import {
   BOUNDARY,
@@ -15,7 +17,7 @@ import {
   type PathKind,
   WINDOWS,
 } from '../../wasm/contract';
-import { automaticSlider, h, labelled, say, select, toggle } from '../dom';
+import { automaticSlider, h, labelled, reason, say, select, toggle } from '../dom';
 import { BOUNDARIES, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS, timeFactor } from '../settings';
 import { linksSentence, refiningSentence } from '../words';
 import { count, t, type Words } from '../../texts';
@@ -116,6 +118,10 @@ export function solverSection(session: Session): HTMLElement {
     operator.element.hidden = !isByHeat || isInside;
     refine.show(state.refine);
     path.show(state.pathKind);
+    reason(
+      path.element,
+      isPathExact(session.shown.value) ? t('Distances are exact, so the straightened path is too.') : null,
+    );
     const opened = session.shown.value?.opened;
     bridge.element.hidden = !opened || !mayBeJoined(opened);
     bridge.show(state.bridge);
@@ -126,8 +132,12 @@ export function solverSection(session: Session): HTMLElement {
     links.hidden = linked.textContent === '';
     factor.show(parameters.timeStep, session.shown.value?.answer.field?.timeFactor ?? 1);
     boundary.show(parameters.boundary);
+    const isClosed = !isInside && opened?.report.boundaryLoops === 0 && !hasWalls(state.ground);
+    reason(boundary.element, isClosed ? t('The surface is closed: all of these are the same.') : null);
     near.show(parameters.exactRadius, chosenNear);
     multi.show(parameters.sources);
+    const isAlone = shown.value?.answer.question.sources.length === 1;
+    reason(multi.element, isAlone ? t('There is one source.') : null);
     operator.show(parameters.operator);
     solver.show(parameters.solver);
   };
@@ -173,6 +183,11 @@ export function solverSection(session: Session): HTMLElement {
       h('div', { class: 'stack' }, ...moreOfHeat, ...moreOfWindows),
     ),
   );
+}
+
+/** Whether the straightened path is the shortest one. */
+function isPathExact(shown: Shown | null): boolean {
+  return shown?.answer.pathKind === 'exact' && shown.answer.question.pathKind === 'straight';
 }
 
 function quiet(text: Words): HTMLElement {

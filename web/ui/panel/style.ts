@@ -17,7 +17,7 @@ import {
   type RampName,
 } from '../../state/styles';
 import { isSameUnit, ofModel, unitOf } from '../../length';
-import { h, labelled, select, slider, toggle } from '../dom';
+import { h, labelled, reason, select, slider, toggle } from '../dom';
 import { measure } from '../../state/measures';
 import { percent, tenths } from '../words';
 import { t, type Words } from '../../texts';
@@ -246,10 +246,23 @@ function materials(current: () => Style, change: Change): Part {
       ),
     ),
     show: (style) => {
-      for (const { map, show } of maps) show(style.maps.includes(map));
+      for (const { map, element, show } of maps) {
+        show(style.maps.includes(map));
+        reason(element, whyNothing(map, style));
+      }
       for (const { show } of sliders) show(style);
     },
   };
+}
+
+/** Why a map of the stripes shows nothing; null: it shows something. */
+function whyNothing(map: MapName, { pattern, relief, surface, stripes }: Style): Words | null {
+  const isSame = (key: keyof Finish) => surface[key] === stripes[key];
+  if (pattern === 'none') return t('There are no stripes.');
+  if (map === 'normal' && (pattern !== 'bands' || relief === 0)) return t('The stripes have no relief.');
+  if (map === 'emission' && isSame('glow')) return t('Stripes and surface glow alike.');
+  if (map === 'specular' && isSame('metalness') && isSame('roughness')) return t('Stripes and surface shine alike.');
+  return null;
 }
 
 function light(change: Change): Part {
