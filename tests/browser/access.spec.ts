@@ -37,6 +37,30 @@ for (const colorScheme of ['light', 'dark'] as const) {
   });
 }
 
+const WINDOWS = [
+  { width: 320, height: 640, colorScheme: 'light', forcedColors: 'none' },
+  { width: 320, height: 640, colorScheme: 'dark', forcedColors: 'active' },
+  { width: 844, height: 390, colorScheme: 'light', forcedColors: 'active' },
+  { width: 2560, height: 1440, colorScheme: 'dark', forcedColors: 'none' },
+] as const;
+for (const { width, height, ...media } of WINDOWS) {
+  const colors = media.forcedColors === 'active' ? `${media.colorScheme}, forced colors` : media.colorScheme;
+  test(`axe finds nothing on ${width} × ${height} pixels, ${colors}`, async ({ heatwalk, page }) => {
+    await page.setViewportSize({ width, height });
+    await page.emulateMedia(media);
+    await heatwalk.open('#v=1&m=hemisphere&tape=10,200,400!');
+    await heatwalk.settled();
+    expect(await violations(page)).toEqual([]);
+    const handle = page.getByRole('button', { name: 'Expand the panel' });
+    if (await handle.isVisible()) await handle.click();
+    await everyWorkspace(page, async (workspace) =>
+      expect([workspace, await violations(page)]).toEqual([workspace, []]),
+    );
+    // Nothing is wider than the window: WCAG 1.4.10.
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+  });
+}
+
 test('arrows scroll the panel while it has the focus; letters act there too, and nowhere once they are off', async ({
   heatwalk,
   page,

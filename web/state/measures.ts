@@ -15,7 +15,8 @@ export const threeDigits = numbers({ maximumSignificantDigits: 3, useGrouping: f
 
 /** A length with its unit. */
 export function measure(value: ModelLength, unit: LengthUnit): Words {
-  return t`${threeDigits(told(value, unit))} ${unitWords(unit)}`;
+  const number = threeDigits(told(value, unit));
+  return unit.symbol === '' && String(number) === '1' ? t('1 unit') : t`${number} ${unitWords(unit)}`;
 }
 
 /** A unit, and that it is assumed where it is. */

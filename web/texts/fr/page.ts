@@ -134,6 +134,7 @@ export const PAGE: Texts = {
   'Divider between the two settings': 'Séparation entre les deux réglages',
   'm = 1 and m = 1000': 'm = 1 et m = 1000',
   'Cholesky and conjugate gradients, m = 100': 'Cholesky et gradient conjugué, m = 100',
+  '1 unit': '1 unité',
   'Time step m': 'Pas de temps m',
   'Measure times': 'Mesurer les temps',
   'Runs of both sides': 'Exécutions des deux côtés',
