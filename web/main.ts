@@ -40,7 +40,7 @@ import type { Panel } from './ui/panel/panel';
 import { workspacePanel } from './ui/panel/workspaces';
 import { CompareSection } from './ui/panel/compare';
 import { MeasureSection } from './ui/panel/measure';
-import { expose } from './ui/scripting';
+import { expose, type Script } from './ui/scripting';
 import { Stage } from './ui/stage/stage';
 import { followTheme } from './view/theme';
 import { View } from './view/view';
@@ -213,6 +213,8 @@ async function begin(): Promise<void> {
   hint.begin();
   await new Promise(requestAnimationFrame);
 }
+const host = { session, messages, ground, commands, link: () => address.link() };
+let script: Script | null = null;
 expose(
   session,
   begin().finally(first.resolve),
@@ -224,11 +226,11 @@ expose(
     await over.load();
   },
   () => measuring.figures,
+  () => import('./ui/control/script').then(({ scriptOf }) => (script ??= scriptOf(host, window.heatwalk))),
 );
 void first.promise.then(() => over.load());
 void keepForOffline(() => window.heatwalk.settled());
 // Only in a frame is there anybody to answer.
 if (window.parent !== window) {
-  const host = { session, api: window.heatwalk, messages, ground, link: () => address.link() };
-  void import('./ui/embedding/embedding').then(({ answerHost }) => answerHost(host));
+  void import('./ui/embedding/embedding').then(({ answerHost }) => answerHost(host, window.heatwalk));
 }
