@@ -11,7 +11,6 @@ import { GroundEditor } from './session/ground';
 import { type InputFiles, Opener } from './session/opener';
 import { Overlays } from './session/overlays';
 import { Session } from './session/session';
-import { keepForOffline } from './offline/register';
 import { FIRST_PRESET } from './state/presets';
 import { Scene } from './state/history';
 import { Signal } from './state/signal';
@@ -66,7 +65,8 @@ const messages = new Messages(dialogue.choose);
 const tool = new Signal<Tool>('source');
 const ground = new GroundEditor(session, tool);
 const opener = new Opener(session, messages, ground);
-const address = new Address(scene, opener);
+const address = new Address(scene);
+const known = location.hash;
 const readout = new Readout(session);
 const { workspace } = address;
 
@@ -209,7 +209,7 @@ addEventListener('unhandledrejection', ({ reason }) => unforeseen(reason));
 
 frames.start();
 async function begin(): Promise<void> {
-  await Promise.all([view.start(), opener.link(location.hash)]);
+  await Promise.all([view.start(), opener.link(known)]);
   hint.begin();
   await new Promise(requestAnimationFrame);
 }
@@ -229,7 +229,17 @@ expose(
   () => import('./ui/control/script').then(({ scriptOf }) => (script ??= scriptOf(host, window.heatwalk))),
 );
 void first.promise.then(() => over.load());
-void keepForOffline(() => window.heatwalk.settled());
+first.promise
+  .then(() => import('./session/entries'))
+  .then(({ Entries }) => new Entries(scene, opener, address, known))
+  .catch(fail);
+// Without it the page is one that needs its network.
+void first.promise
+  .then(() => import('./session/version'))
+  .then(
+    ({ keepVersion }) => keepVersion(messages),
+    () => undefined,
+  );
 // Only in a frame is there anybody to answer.
 if (window.parent !== window) {
   void import('./ui/embedding/embedding').then(({ answerHost }) => answerHost(host, window.heatwalk));

@@ -3,7 +3,8 @@ import type { Distances, MeshFigures, Openable, Options, Path, Source, Place, St
 import { Failure } from '../../error';
 import type { MeshPoint } from '../../protocol';
 import type { GroundEditor } from '../../session/ground';
-import { type Notifier, Opener, startOf, startOfFile } from '../../session/opener';
+import type { Notifier } from '../../session/notifier';
+import { Opener, startOf, startOfFile } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { entry } from '../../state/entry';
@@ -141,7 +142,7 @@ export class Actions {
 function quiet(notifier: Notifier, failed: (reason: Words) => void): Notifier {
   return {
     opened: (title, shown, state) => notifier.opened(title, shown, state),
-    notice: (text) => notifier.notice(text),
+    notice: (text, action) => notifier.notice(text, action),
     choice: (shown, meshes, open) => notifier.choice(shown, meshes, open),
     fail: failed,
     askForFile: (name) => notifier.askForFile(name),
