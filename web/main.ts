@@ -90,7 +90,7 @@ const frames = new Frames(session, crowd, () => {
 const cameraMoved = () => frames.cameraMoved();
 const fail = session.fail.bind(session);
 const help = () => {
-  import('./ui/help/dialog').then(({ openHelp }) => openHelp(panel?.element ?? null, fail), fail);
+  import('./ui/help/dialog').then(({ openHelp }) => openHelp(session, panel?.element ?? null, fail), fail);
 };
 
 const search = () => {

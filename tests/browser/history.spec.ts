@@ -4,6 +4,7 @@ import { off, sphere } from '../fixtures';
 import { expect, test } from '../page';
 
 const BALL = off(sphere(8));
+const EGG_NAME = 'an-egg-with-a-name-longer-than-the-menu-is-wide.off';
 const EGG = off(sphere(10, [0, 1, 0]));
 
 const meshName = (page: Page) => expect.poll(() => page.evaluate(() => window.heatwalk.mesh?.name));
@@ -86,25 +87,28 @@ test('a reload brings one’s own file back; recent files are opened again and e
   await page.keyboard.press('Escape');
 
   await heatwalk.dropAndOpen([['ball.off', BALL]]);
-  await heatwalk.dropAndOpen([['egg.off', EGG]]);
+  await heatwalk.dropAndOpen([[EGG_NAME, EGG]]);
   await page.evaluate(() => window.heatwalk.setSources([{ vertex: 9 }]));
-  await expect(page).toHaveURL(/name=egg\.off&hash=[\da-f]{64}.*s=9\b/);
+  await expect(page).toHaveURL(/name=an-egg[\w.-]+&hash=[\da-f]{64}.*s=9\b/);
   await openMenu();
-  await expect(recent.getByRole('listitem')).toHaveText([/^egg\.off×$/, /^ball\.off/]);
+  await expect(recent.getByRole('listitem')).toHaveText([`${EGG_NAME}×`, /^ball\.off/]);
+  const room = (await menu.boundingBox()) ?? { x: 0, width: 0 };
+  const erase = await recent.getByRole('button', { name: `Erase ${EGG_NAME}` }).boundingBox();
+  expect((erase?.x ?? Infinity) + (erase?.width ?? 0)).toBeLessThan(room.x + room.width);
   await expect(recent).toContainText('Kept in this browser only.');
   await page.keyboard.press('Escape');
 
   await page.reload();
   await page.waitForFunction(() => 'heatwalk' in window);
   await page.evaluate(() => window.heatwalk.ready);
-  expect(await page.evaluate(() => window.heatwalk.mesh?.name)).toBe('egg.off');
+  expect(await page.evaluate(() => window.heatwalk.mesh?.name)).toBe(EGG_NAME);
   await sources(page).toEqual([{ vertex: 9 }]);
   await expect(page.getByText('This link needs your file')).toBeHidden();
   // What was open before is found too.
   await page.goBack();
   await meshName(page).toBe('ball.off');
   await page.goForward();
-  await meshName(page).toBe('egg.off');
+  await meshName(page).toBe(EGG_NAME);
 
   await openMenu();
   await recent.getByRole('button', { name: 'ball.off' }).first().click();
@@ -112,9 +116,9 @@ test('a reload brings one’s own file back; recent files are opened again and e
   await expect(page).toHaveURL(/name=ball\.off/);
   await expect(menu).toBeHidden();
   await openMenu();
-  await expect(recent.getByRole('listitem')).toHaveText([/^ball\.off/, /^egg\.off/]);
+  await expect(recent.getByRole('listitem')).toHaveText([/^ball\.off/, new RegExp(EGG_NAME)]);
   await recent.getByRole('button', { name: 'Erase ball.off' }).click();
-  await expect(recent.getByRole('listitem')).toHaveText([/^egg\.off/]);
+  await expect(recent.getByRole('listitem')).toHaveText([new RegExp(EGG_NAME)]);
   await recent.getByRole('button', { name: 'Erase all' }).click();
   await expect(recent).toBeHidden();
 

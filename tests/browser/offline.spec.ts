@@ -9,6 +9,8 @@ test.use({ serviceWorkers: 'allow' });
 // The next test has the same browser.
 test.afterEach(({ context }) => context.setOffline(false));
 
+const read = (path: string) => readFileSync(`${PAGE}/${path}`, 'utf8');
+
 /** Each needs other files of the build: arrays in a module, a file, tetrahedra, a shape. */
 const PRESETS = ['teapot', 'dragon', 'cave', 'robot'];
 
@@ -84,7 +86,6 @@ test('a new version is offered, never forced: the page stays until it is reloade
 
   // The same page as another build has it.
   const { pathname } = new URL(host.page);
-  const read = (path: string) => readFileSync(`${PAGE}/${path}`, 'utf8');
   const renewed = (text: string) => text.replaceAll(first, 'renewed.js');
   host.pages[pathname] = renewed(read('index.html'));
   host.pages[`${pathname}assets/renewed.js`] = read(`assets/${first}`);
@@ -115,7 +116,7 @@ test('a new version is offered, never forced: the page stays until it is reloade
 
 /** What Chromium says that keeps a page from being installed, and what the system needs to open files with it. */
 async function expectInstallable(page: Page): Promise<void> {
-  const manifest = JSON.parse(readFileSync(`${PAGE}/manifest.webmanifest`, 'utf8')) as {
+  const manifest = JSON.parse(read('manifest.webmanifest')) as {
     icons: { src: string; sizes: string }[];
     file_handlers: { accept: Record<string, string[]> }[];
   };
