@@ -1,4 +1,5 @@
 /** Help where it is needed: keys and gestures, a line on every setting, the documents, the first hints. */
+import { violations } from '../axe';
 import { expect, openSection, test } from '../page';
 
 test('help tells what the keys do, explains every setting, and leads to documents with a search', async ({
@@ -62,6 +63,7 @@ test('help tells what becomes of files, where the source is, and how a fault is 
   await expect(dialog).toContainText('Nothing is uploaded, counted or tracked');
   await expect(dialog).toContainText('kept in this browser only');
   await expect(dialog).toContainText('has not said where its source is');
+  expect(await violations(page)).toEqual([]);
   await dialog.getByRole('button', { name: 'Copy report' }).click();
   await expect(dialog.getByText('Copied.')).toBeVisible();
   const report = JSON.parse(await page.evaluate(() => navigator.clipboard.readText())) as Record<string, unknown>;

@@ -1,5 +1,6 @@
 /** What the browser keeps: an entry of its history for each opening and comparison, and the user's own files. */
 import type { Page } from '@playwright/test';
+import { violations } from '../axe';
 import { off, sphere } from '../fixtures';
 import { expect, test } from '../page';
 
@@ -70,6 +71,11 @@ test('presets, files and comparisons are entries of the history, edits are none,
   // A link that is pasted is an entry of its own, as ever.
   await page.evaluate(() => (location.hash = '#m=torus&s=12'));
   await sources(page).toEqual([{ vertex: 12 }]);
+  // The same mesh once more takes nothing away.
+  await page.evaluate(() => window.heatwalk.open({ preset: 'torus' }));
+  await sources(page).not.toEqual([{ vertex: 12 }]);
+  await page.goBack();
+  await sources(page).toEqual([{ vertex: 12 }]);
   await page.goBack();
   await meshName(page).toBe('teapot');
   await page.goBack();
@@ -96,6 +102,7 @@ test('a reload brings one’s own file back; recent files are opened again and e
   const erase = await recent.getByRole('button', { name: `Erase ${EGG_NAME}` }).boundingBox();
   expect((erase?.x ?? Infinity) + (erase?.width ?? 0)).toBeLessThan(room.x + room.width);
   await expect(recent).toContainText('Kept in this browser only.');
+  expect(await violations(page)).toEqual([]);
   await page.keyboard.press('Escape');
 
   await page.reload();

@@ -40,7 +40,10 @@ export function singleFile(): Plugin {
     transformIndexHtml: {
       order: 'pre',
       handler: (html) =>
-        html.replaceAll(/\s*<(link rel="(manifest|apple-touch-icon)"|meta\s+(property="og:|name="twitter:))[^>]*>/g, ''),
+        html.replaceAll(
+          /\s*<(link rel="(manifest|apple-touch-icon)"|meta\s+(property="og:|name="twitter:))[^>]*>/g,
+          '',
+        ),
     },
     generateBundle: {
       // Vite has to have put in place what loads modules.

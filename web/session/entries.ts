@@ -1,7 +1,8 @@
 /**
- * Keeps the address in step with the scene, so that it can be shared and reloaded, and follows a link that is pasted. Each mesh that is
- * opened, and each comparison, is an entry of the browser's history: back and forward restore them. Fetched after the first picture.
+ * Keeps the address in step with the scene, so that it can be shared and reloaded, and follows a link that is pasted. Each opening of a
+ * mesh, and each comparison, is an entry of the browser's history: back and forward restore them. Fetched after the first picture.
  */
+import { titleOf } from '../state/presets';
 import type { SceneState } from '../state/scene';
 import type { Scene } from '../state/history';
 import type { Address } from './address';
@@ -25,8 +26,8 @@ export class Entries {
   #timer = 0;
   /** The entry that is shown. */
   #at = numberOf(history.state) ?? 0;
-  /** What its address is of. */
-  #subject: string;
+  /** The openings that the entries are of. */
+  #loads: number;
   /** The fragment as it was read or written last. Another one is a link whose event is still to come. */
   #known: string;
   /** Links and entries that are on their way: until they are there, the address is theirs. */
@@ -38,7 +39,7 @@ export class Entries {
     this.#opener = opener;
     this.#address = address;
     this.#known = known;
-    this.#subject = subjectOf(opener.awaited ?? scene.state);
+    this.#loads = scene.loads;
     scene.subscribe((state, previous) => {
       if (state !== previous) this.#changed(state, previous);
     });
@@ -55,15 +56,15 @@ export class Entries {
   }
 
   #changed(state: SceneState, previous: SceneState): void {
-    const subject = subjectOf(state);
-    const isAnother = subject !== subjectOf(previous) && subject !== this.#subject;
-    if (!isAnother || this.#isFrame || this.#following > 0) {
+    const isOpened = this.#scene.loads !== this.#loads && !isAwaited(state, this.#opener.awaited);
+    const isCompared = (state.compared === null) !== (previous.compared === null);
+    this.#loads = this.#scene.loads;
+    if (!(isOpened || isCompared) || this.#isFrame || this.#following > 0) {
       this.#rest();
       return;
     }
     clearTimeout(this.#timer);
     if (!this.#opener.awaited) this.#states.set(this.#at, previous);
-    this.#subject = subject;
     this.#at += 1;
     history.pushState({ heatwalk: this.#at } satisfies EntryState, '', this.#address.whole());
     this.#known = location.hash;
@@ -91,7 +92,6 @@ export class Entries {
     void (state ? this.#opener.restore(state) : this.#opener.link(location.hash)).finally(() => {
       this.#following -= 1;
       if (this.#following > 0) return;
-      this.#subject = subjectOf(this.#opener.awaited ?? this.#scene.state);
       this.#write();
     });
   }
@@ -109,7 +109,7 @@ function numberOf(state: unknown): number | null {
   return typeof heatwalk === 'number' ? heatwalk : null;
 }
 
-/** What has an entry of its own. */
-function subjectOf({ mesh, compared }: SceneState): string {
-  return JSON.stringify([mesh, compared !== null]);
+/** Whether it is what a link waited for, which has its entry. */
+function isAwaited({ mesh }: SceneState, awaited: SceneState | null): boolean {
+  return awaited !== null && titleOf(mesh) === titleOf(awaited.mesh);
 }

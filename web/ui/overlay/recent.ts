@@ -18,7 +18,7 @@ export function recentFiles(open: (input: GivenInput) => void): { element: HTMLE
   const element = h(
     'section',
     { class: 'recent', 'aria-label': t('Recent') },
-    h('h3', {}, t('Recent')),
+    h('h2', {}, t('Recent')),
     list,
     told,
     trouble,
