@@ -1,5 +1,6 @@
 import { defineConfig } from 'vite';
 import { docs } from './tools/vite/docs.ts';
+import { host } from './tools/vite/host.ts';
 import { offline, OFFLINE_WORKER } from './tools/vite/offline.ts';
 
 /** d3-scale-chromatic makes each of its colour schemes by one of these when it is loaded, wanted or not. */
@@ -13,7 +14,7 @@ export default defineConfig({
   base: './',
   worker: { format: 'es' },
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [docs(import.meta.dirname), offline()],
+  plugins: [docs(import.meta.dirname), host(), offline()],
   build: {
     target: 'es2022',
     outDir: 'dist',

@@ -1,6 +1,7 @@
 /** The page in one HTML file, which opens without a server. */
 import { defineConfig } from 'vite';
 import { documentsWithin } from './tools/vite/docs.ts';
+import { host } from './tools/vite/host.ts';
 import { packedModules, singleFile } from './tools/vite/single.ts';
 import shared from './vite.config.ts';
 
@@ -11,7 +12,7 @@ export default defineConfig({
   base: './',
   publicDir: false,
   assetsInclude: shared.assetsInclude ?? [],
-  plugins: [packedModules(), documentsWithin(import.meta.dirname), singleFile()],
+  plugins: [packedModules(), documentsWithin(import.meta.dirname), host(), singleFile()],
   // Chromium loads no modules from what a page of a file makes, but other scripts.
   worker: { format: 'iife', rolldownOptions: { output: { codeSplitting: false } } },
   build: {

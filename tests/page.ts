@@ -93,6 +93,18 @@ export class HeatwalkPage {
     await this.rest();
   }
 
+  /** Erases the files that the page has kept. */
+  async forgetFiles(): Promise<void> {
+    await this.page.evaluate(
+      () =>
+        new Promise<void>((resolve, reject) => {
+          const erasing = indexedDB.deleteDatabase('heatwalk');
+          erasing.addEventListener('success', () => resolve());
+          erasing.addEventListener('error', () => reject(new Error('The files were not erased.')));
+        }),
+    );
+  }
+
   /** Opens a file with the state that a link gives it: `options` as in a link, `s=3&near=0`. */
   async openFile(name: string, content: string, options: string): Promise<void> {
     await this.open(`#v=1&m=file&name=${name}&${options}`);

@@ -28,13 +28,16 @@ export class Host {
   asked: string[] = [];
   /** A path of which the next answer breaks off. */
   breaksOff: string | null = null;
+  /** What is served in the place of files, by path. */
+  readonly pages: Record<string, string>;
   readonly #server: Server;
 
-  private constructor(server: Server) {
+  private constructor(server: Server, pages: Readonly<Record<string, string>>) {
     this.#server = server;
+    this.pages = { ...pages };
   }
 
-  /** `pages`: HTML beside the built page, by path. */
+  /** `pages`: texts beside the built page, by path. */
   static async start(
     headers: Readonly<Record<string, string>> = {},
     pages: Readonly<Record<string, string>> = {},
@@ -43,7 +46,7 @@ export class Host {
       const { pathname } = new URL(request.url ?? '/', 'http://host');
       host.asked.push(pathname);
       for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
-      const page = pages[pathname];
+      const page = host.pages[pathname];
       const inside = pathname.startsWith(FOLDER) ? normalize(pathname.slice(FOLDER.length) || 'index.html') : '..';
       const file = join(PAGE, inside);
       if (pathname === host.breaksOff) {
@@ -51,14 +54,15 @@ export class Host {
         response
           .writeHead(200, { 'Content-Type': TYPES[extname(file)], 'Content-Length': 1000 })
           .write('broken', () => response.destroy());
-      } else if (page !== undefined) response.setHeader('Content-Type', 'text/html').end(page);
+      } else if (page !== undefined)
+        response.setHeader('Content-Type', TYPES[extname(pathname)] ?? 'text/html').end(page);
       else if (inside.startsWith('..') || !existsSync(file)) response.writeHead(404).end();
       else
         createReadStream(file).pipe(
           response.setHeader('Content-Type', TYPES[extname(file)] ?? 'application/octet-stream'),
         );
     });
-    const host = new Host(server);
+    const host = new Host(server, pages);
     await new Promise<void>((resolve) => server.listen(0, resolve));
     return host;
   }

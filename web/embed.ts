@@ -30,7 +30,7 @@ export type Openable =
   /** An http or https address of a mesh or a .zip, which its server must let other pages read. */
   | { url: string; options?: Options }
   /** Of the first mesh among them. */
-  | { files: readonly EmbeddedFile[]; options?: Options }
+  | { files: readonly (EmbeddedFile | File)[]; options?: Options }
   /** A link of the page to a preset or an address, or its fragment. */
   | { link: string };
 

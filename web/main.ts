@@ -11,7 +11,6 @@ import { GroundEditor } from './session/ground';
 import { type InputFiles, Opener } from './session/opener';
 import { Overlays } from './session/overlays';
 import { Session } from './session/session';
-import { keepForOffline } from './offline/register';
 import { FIRST_PRESET } from './state/presets';
 import { Scene } from './state/history';
 import { Signal } from './state/signal';
@@ -40,7 +39,7 @@ import type { Panel } from './ui/panel/panel';
 import { workspacePanel } from './ui/panel/workspaces';
 import { CompareSection } from './ui/panel/compare';
 import { MeasureSection } from './ui/panel/measure';
-import { expose } from './ui/scripting';
+import { expose, type Script } from './ui/scripting';
 import { Stage } from './ui/stage/stage';
 import { followTheme } from './view/theme';
 import { View } from './view/view';
@@ -66,7 +65,8 @@ const messages = new Messages(dialogue.choose);
 const tool = new Signal<Tool>('source');
 const ground = new GroundEditor(session, tool);
 const opener = new Opener(session, messages, ground);
-const address = new Address(scene, opener);
+const address = new Address(scene);
+const known = location.hash;
 const readout = new Readout(session);
 const { workspace } = address;
 
@@ -90,7 +90,7 @@ const frames = new Frames(session, crowd, () => {
 const cameraMoved = () => frames.cameraMoved();
 const fail = session.fail.bind(session);
 const help = () => {
-  import('./ui/help/dialog').then(({ openHelp }) => openHelp(panel?.element ?? null, fail), fail);
+  import('./ui/help/dialog').then(({ openHelp }) => openHelp(session, panel?.element ?? null, fail), fail);
 };
 
 const search = () => {
@@ -209,10 +209,12 @@ addEventListener('unhandledrejection', ({ reason }) => unforeseen(reason));
 
 frames.start();
 async function begin(): Promise<void> {
-  await Promise.all([view.start(), opener.link(location.hash)]);
+  await Promise.all([view.start(), opener.link(known)]);
   hint.begin();
   await new Promise(requestAnimationFrame);
 }
+const host = { session, messages, ground, commands, link: () => address.link() };
+let script: Script | null = null;
 expose(
   session,
   begin().finally(first.resolve),
@@ -224,11 +226,21 @@ expose(
     await over.load();
   },
   () => measuring.figures,
+  () => import('./ui/control/script').then(({ scriptOf }) => (script ??= scriptOf(host, window.heatwalk))),
 );
 void first.promise.then(() => over.load());
-void keepForOffline(() => window.heatwalk.settled());
+first.promise
+  .then(() => import('./session/entries'))
+  .then(({ Entries }) => new Entries(scene, opener, address, known))
+  .catch(fail);
+// Without it the page is one that needs its network.
+void first.promise
+  .then(() => import('./session/version'))
+  .then(
+    ({ keepVersion }) => keepVersion(messages),
+    () => undefined,
+  );
 // Only in a frame is there anybody to answer.
 if (window.parent !== window) {
-  const host = { session, api: window.heatwalk, messages, ground, link: () => address.link() };
-  void import('./ui/embedding/embedding').then(({ answerHost }) => answerHost(host));
+  void import('./ui/embedding/embedding').then(({ answerHost }) => answerHost(host, window.heatwalk));
 }

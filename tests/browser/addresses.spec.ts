@@ -162,18 +162,51 @@ test('the file that a link cannot fetch may be dropped in its place', async ({ h
   await expect(page.getByText('This link shows')).toBeHidden();
 });
 
-test('a file is pasted, and text that is no address of a mesh is not', async ({ heatwalk, page }) => {
+test('a file is pasted; text that is nothing is told as such, and numbers far from the model ask first', async ({
+  heatwalk,
+  page,
+}) => {
   const asked = await serve(page, { '/ball.off': off(BALL) });
   await heatwalk.open();
-  const before = await heatwalk.mesh();
-  for (const text of ['some words', `${HOST}/about`, 'ball.off']) await paste(page, { text });
-  // Nor is what is pasted into a field.
+  const before = [await heatwalk.mesh(), await heatwalk.scene()];
+  for (const [text, told] of [
+    ['some\nwords', 'What was pasted, “some words”, is no mesh, no address of one, no link and no list of sources.'],
+    [`${HOST}/about`, 'This address of models.example names no mesh'],
+    ['ball.off', 'What was pasted, “ball.off”, is no mesh'],
+    ['12 apples\n3 pears', 'What was pasted, “12 apples 3 pears”, is no mesh'],
+    ['2024 1300 75\n2025 1420 80', /The numbers pasted \(2 places\) lie up to [\d.,]+ \S* ?away from the model\./],
+  ] as const) {
+    await paste(page, { text });
+    await expect(page.getByText(told)).toBeVisible();
+  }
+  // Nor is what is pasted into a field, and blanks are nothing.
   await paste(page, { text: `${HOST}/ball.off` }, '.sources input');
+  await paste(page, { text: ' \n' });
   await heatwalk.settled();
   expect(asked).toEqual([]);
-  expect(await heatwalk.mesh()).toEqual(before);
+  expect([await heatwalk.mesh(), await heatwalk.scene()]).toEqual(before);
+  const add = page.getByRole('button', { name: 'Add the nearest places as sources' });
+  await add.click();
+  await expect.poll(async () => (await heatwalk.scene()).sets).toHaveLength(1);
+  await expect(add).toBeHidden();
+
   await paste(page, { name: 'pasted.off', content: off(BALL) });
   await expect.poll(async () => (await heatwalk.mesh()).name).toBe('pasted.off');
+  // What lies on the model is added at once; one that is meant says so by its heading.
+  await paste(page, { text: '0 1 0' });
+  await expect.poll(async () => (await heatwalk.scene()).sources).toHaveLength(2);
+  await paste(page, { text: 'x,y,z\n0,0,50\n0,50,0' });
+  await expect.poll(async () => (await heatwalk.scene()).sets).toHaveLength(1);
+  // A link of the page is followed.
+  await paste(page, { text: new URL('?lang=en#m=torus&s=7', page.url()).href });
+  await expect.poll(async () => (await heatwalk.mesh()).name).toBe('torus');
+  expect((await heatwalk.scene()).sources).toEqual([{ vertex: 7 }]);
+
+  // An empty file is called empty.
+  for (const name of ['empty.obj', 'empty.zip', 'empty.msh', 'empty.csv', 'empty.txt']) {
+    await heatwalk.drop([[name, '']]);
+    await expect(page.getByRole('alert')).toContainText(`${name} is empty: nothing is in it.`);
+  }
 });
 
 /** Drops what a link or an image of another page drags along. */

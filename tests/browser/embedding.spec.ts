@@ -93,6 +93,11 @@ test('two frames in a page of another origin are told apart, asked and heard', a
     length += Math.hypot(...[0, 1, 2].map((axis) => answers.points[i + axis] - answers.points[i + axis - 3]));
   expect(length).toBeCloseTo(answers.length, 5);
 
+  // What is opened in frames is no step back of the page around them.
+  await expect
+    .poll(() => page.frames()[1].evaluate(() => [location.hash, history.state] as const))
+    .toEqual([expect.stringContaining('name=ball.off'), { heatwalk: 0 }]);
+
   // A click of the user is told by the frame where it was, with the place under the pointer.
   const told = (event: string) => page.evaluate((name) => window.told.filter((each) => each.event === name), event);
   const box = await page.locator('iframe').first().boundingBox();

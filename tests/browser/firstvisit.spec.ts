@@ -64,7 +64,7 @@ test('a first visit: hints, a dropped mesh, sources, the walker, undo, a link, a
   await page.getByRole('button', { name: 'Close the message' }).first().click();
   expect(difference(two, await look('after a file that is none'))).toBeLessThan(SAME);
 
-  // The link asks for the file, and shows the same once it has it.
+  // The link of a file that is not kept asks for it, and shows the same once it has it.
   await openSection(page, 'share');
   await page.getByRole('button', { name: 'Copy link' }).click();
   const link = new URL(await page.evaluate(() => navigator.clipboard.readText()));
@@ -73,6 +73,7 @@ test('a first visit: hints, a dropped mesh, sources, the walker, undo, a link, a
   const saved = PNG.sync.read(await readFile(await (await saving).path()));
   // Twice the pixels of the device, which has one for two of the window here.
   expect([saved.width, saved.height]).toEqual([two.width, two.height]);
+  await heatwalk.forgetFiles();
   await heatwalk.open(link.hash);
   await expect(page.getByText('This link needs your file ball.off.')).toBeVisible();
   await heatwalk.dropAndOpen([['ball.off', BALL]]);

@@ -1,4 +1,5 @@
 /** Help where it is needed: keys and gestures, a line on every setting, the documents, the first hints. */
+import { violations } from '../axe';
 import { expect, openSection, test } from '../page';
 
 test('help tells what the keys do, explains every setting, and leads to documents with a search', async ({
@@ -46,6 +47,59 @@ test('help tells what the keys do, explains every setting, and leads to document
       .first()
       .evaluate((image: HTMLImageElement) => image.naturalWidth),
   ).toBeGreaterThan(0);
+});
+
+test('help tells what becomes of files, where the source is, and how a fault is reported, with nothing sent', async ({
+  heatwalk,
+  page,
+}) => {
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+  await heatwalk.open();
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(request.url()));
+  const dialog = page.getByRole('dialog', { name: 'Help' });
+  const openHelp = () => page.getByRole('button', { name: 'Help' }).click();
+  await openHelp();
+  await expect(dialog).toContainText('Nothing is uploaded, counted or tracked');
+  await expect(dialog).toContainText('kept in this browser only');
+  await expect(dialog).toContainText('has not said where its source is');
+  expect(await violations(page)).toEqual([]);
+  await dialog.getByRole('button', { name: 'Copy report' }).click();
+  await expect(dialog.getByText('Copied.')).toBeVisible();
+  const report = JSON.parse(await page.evaluate(() => navigator.clipboard.readText())) as Record<string, unknown>;
+  expect(report).toMatchObject({ backend: 'WebGL2', mesh: { name: 'bunny', triangles: 3674 }, method: 'heat' });
+  expect(report['link']).toBe(page.url());
+  expect(report['build']).toMatch(/assets\/index-.*\.js$/);
+  const saving = page.waitForEvent('download');
+  await dialog.getByRole('button', { name: 'Save scene' }).click();
+  expect((await saving).suggestedFilename()).toBe('bunny.heatwalk.zip');
+  const { origin } = new URL(page.url());
+  expect(asked.filter((address) => !address.startsWith(origin) && !address.startsWith('blob:'))).toEqual([]);
+
+  // As a build has it that was told.
+  await page.keyboard.press('Escape');
+  await page.evaluate(() => {
+    document.head.append(
+      Object.assign(document.createElement('meta'), {
+        name: 'heatwalk-source',
+        content: 'https://code.example/heatwalk/',
+      }),
+    );
+  });
+  await openHelp();
+  const link = (name: string) => dialog.getByRole('link', { name });
+  await expect(link('The source, and its license')).toHaveAttribute('href', 'https://code.example/heatwalk');
+  await expect(link('A new report')).toHaveAttribute('href', 'https://code.example/heatwalk/issues/new');
+
+  // What is shown beside a link to the page.
+  const image = await page.evaluate(async () => {
+    const address = document.querySelector<HTMLMetaElement>('meta[property="og:image"]')?.content ?? '';
+    const file = await (await fetch(address)).blob();
+    const { width, height } = await createImageBitmap(file);
+    return { width, height, type: file.type, bytes: file.size };
+  });
+  expect(image).toMatchObject({ width: 1200, height: 630, type: 'image/jpeg' });
+  expect(image.bytes).toBeLessThan(100_000);
 });
 
 test('hints follow what the hand does, and are not told again', async ({ heatwalk, page }) => {

@@ -6,6 +6,11 @@ import { Host } from '../server';
 
 test.use({ serviceWorkers: 'allow' });
 
+// The next test has the same browser.
+test.afterEach(({ context }) => context.setOffline(false));
+
+const read = (path: string) => readFileSync(`${PAGE}/${path}`, 'utf8');
+
 /** Each needs other files of the build: arrays in a module, a file, tetrahedra, a shape. */
 const PRESETS = ['teapot', 'dragon', 'cave', 'robot'];
 
@@ -58,9 +63,60 @@ test('the page can be installed, and after one visit every preset opens without 
   await expect(page.locator('.found a').first()).toBeVisible();
 });
 
+test('a new version is offered, never forced: the page stays until it is reloaded, with its scene', async ({
+  page,
+}) => {
+  const host = await Host.start();
+  const hide = () =>
+    page.evaluate(() => {
+      Object.defineProperty(document, 'visibilityState', { value: 'hidden', configurable: true });
+      document.dispatchEvent(new Event('visibilitychange'));
+      return navigator.serviceWorker.ready;
+    });
+  const update = () => page.evaluate(async () => void (await (await navigator.serviceWorker.ready).update()));
+  const build = () =>
+    page.evaluate(() => document.querySelector('script[src*="assets/"]')?.getAttribute('src')?.split('/').pop());
+  await page.goto(`${host.page}?gpu=webgl#m=icosphere`);
+  await page.evaluate(() => window.heatwalk.settled());
+  await hide();
+  await expect.poll(() => page.evaluate(() => navigator.serviceWorker.controller?.state)).toBe('activated');
+  const first = String(await build());
+  const offer = page.getByText('A new version of this page is ready.');
+  await update();
+
+  // The same page as another build has it.
+  const { pathname } = new URL(host.page);
+  const renewed = (text: string) => text.replaceAll(first, 'renewed.js');
+  host.pages[pathname] = renewed(read('index.html'));
+  host.pages[`${pathname}assets/renewed.js`] = read(`assets/${first}`);
+  host.pages[`${pathname}offline.js`] = renewed(read('offline.js')).replace(/"build":"\w+"/, '"build":"renewed"');
+  expect(host.pages[`${pathname}offline.js`]).toContain('"build":"renewed"');
+  await page.evaluate(() => window.heatwalk.setSources([{ vertex: 5 }]));
+  await expect(page).toHaveURL(/s=5\b/);
+  await expect(offer).toBeHidden();
+  await update();
+  await expect(offer).toBeVisible({ timeout: 30_000 });
+  expect(await build()).toBe(first);
+  expect(await page.evaluate(() => window.heatwalk.scene.sources)).toEqual([{ vertex: 5 }]);
+
+  // Without the host: what waits is kept already.
+  await page.context().setOffline(true);
+  const loaded = page.waitForEvent('load');
+  await page.getByRole('button', { name: 'Reload, with the scene as it is' }).click();
+  await loaded;
+  await page.waitForFunction(() => 'heatwalk' in window);
+  await page.evaluate(() => window.heatwalk.ready);
+  expect(await build()).toBe('renewed.js');
+  expect(await page.evaluate(() => window.heatwalk.scene.sources)).toEqual([{ vertex: 5 }]);
+  await page.context().setOffline(false);
+  await hide();
+  await expect(offer).toBeHidden();
+  await host.stop();
+});
+
 /** What Chromium says that keeps a page from being installed, and what the system needs to open files with it. */
 async function expectInstallable(page: Page): Promise<void> {
-  const manifest = JSON.parse(readFileSync(`${PAGE}/manifest.webmanifest`, 'utf8')) as {
+  const manifest = JSON.parse(read('manifest.webmanifest')) as {
     icons: { src: string; sizes: string }[];
     file_handlers: { accept: Record<string, string[]> }[];
   };

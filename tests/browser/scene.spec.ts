@@ -225,6 +225,7 @@ test('a link to a file asks for it by name and checks its hash', async ({ heatwa
   const link = new URL(page.url()).hash;
   const before = await heatwalk.scene();
 
+  await heatwalk.forgetFiles();
   await heatwalk.open(link);
   await expect(page.getByText('This link needs your file ball.off')).toBeVisible();
   expect(new URL(page.url()).hash).toBe(link);
@@ -232,6 +233,7 @@ test('a link to a file asks for it by name and checks its hash', async ({ heatwa
   await expect(page.getByText('This link needs your file')).toBeHidden();
   expect(await heatwalk.scene()).toEqual(before);
 
+  await heatwalk.forgetFiles();
   await heatwalk.open(link);
   await heatwalk.dropAndOpen([['ball.off', off(sphere(10))]]);
   await expect(page.getByText('not the file the link was made with')).toBeVisible();

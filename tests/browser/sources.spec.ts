@@ -98,6 +98,7 @@ test('a line, a boundary and a list are entries of the list, with undo, and the 
   const before = await heatwalk.scene();
   await expect(page).toHaveURL(/sets=line:306-312-462@0.5,boundary:\d+,list:List:/);
   const { hash } = new URL(page.url());
+  await heatwalk.forgetFiles();
   await heatwalk.open(hash);
   await heatwalk.dropAndOpen([['grid.off', GRID]]);
   await heatwalk.settled();

@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test';
 import { addressed, parseRequest } from '../../web/ui/embedding/requests';
-import { inFile } from '../../web/ui/embedding/figures';
+import { inFile } from '../../web/ui/control/figures';
 import { UP } from '../../web/wasm/contract';
 
 const ask = (method: string, rest: object = {}) => parseRequest({ heatwalk: 1, id: 1, method, ...rest });

@@ -39,7 +39,11 @@ export function singleFile(): Plugin {
     },
     transformIndexHtml: {
       order: 'pre',
-      handler: (html) => html.replaceAll(/\s*<link rel="(manifest|apple-touch-icon)"[^>]*>/g, ''),
+      handler: (html) =>
+        html.replaceAll(
+          /\s*<(link rel="(manifest|apple-touch-icon)"|meta\s+(property="og:|name="twitter:))[^>]*>/g,
+          '',
+        ),
     },
     generateBundle: {
       // Vite has to have put in place what loads modules.

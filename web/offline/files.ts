@@ -9,3 +9,8 @@ export interface KeptFiles {
   /** Paths of the documents and of what they need, relative to the page. */
   documents: readonly string[];
 }
+
+/** What a page asks the service worker: which page its build has, and to serve from now on, which it declines by null. */
+export interface Question {
+  heatwalk: 'page' | 'take over';
+}

@@ -5,7 +5,7 @@
  * newer worker waits until no page of the older build is open; a page of the newer build takes its files from the network
  * until then.
  */
-import type { KeptFiles } from './files';
+import type { KeptFiles, Question } from './files';
 
 declare const self: ServiceWorkerGlobalScope;
 
@@ -40,6 +40,19 @@ self.addEventListener('fetch', (event) => {
   const document = documentAt(address);
   if (documentAddresses.has(document)) event.respondWith(newest(request, document));
 });
+
+self.addEventListener('message', (event) => event.waitUntil(reply(event)));
+
+async function reply({ data, ports }: ExtendableMessageEvent): Promise<void> {
+  const question = (data as Partial<Question> | null)?.heatwalk;
+  if (question === 'page') ports[0]?.postMessage(page);
+  if (question !== 'take over') return;
+  // Other pages of the older build may still ask for its files.
+  const pages = await self.clients.matchAll({ type: 'window', includeUncontrolled: true });
+  const isAlone = pages.filter(({ url }) => url.startsWith(scope)).length === 1;
+  if (isAlone) await self.skipWaiting();
+  ports[0]?.postMessage(isAlone ? page : null);
+}
 
 /** Keeps every file, or fails: the next visit tries again. */
 async function keepAll(): Promise<void> {

@@ -1,44 +1,20 @@
-/** Keeps the address in step with the scene, so that it can be shared and reloaded, and follows a link that is pasted. */
+/** The address of the scene on screen, and what it says of how the page looks. */
 import { encodeLink } from '../state/link';
 import type { Scene } from '../state/history';
 import { Signal } from '../state/signal';
 import { FIRST_WORKSPACE, isWorkspace, type Workspace } from '../state/workspace';
-import { type Opener, startOf } from './opener';
-
-/** The address is written after a pause; browsers limit how often it may change. */
-const REST_MS = 300;
+import { startOf } from './opener';
 
 export class Address {
   readonly #scene: Scene;
-  readonly #opener: Opener;
   readonly kiosk: boolean;
   /** The one that is open. */
   readonly workspace: Signal<Workspace>;
-  #timer = 0;
-  /** The fragment as it was read or written last. Another one is a link whose event is still to come. */
-  #known = location.hash;
 
-  constructor(scene: Scene, opener: Opener) {
+  constructor(scene: Scene) {
     this.#scene = scene;
-    this.#opener = opener;
     this.kiosk = new URLSearchParams(location.hash.slice(1)).get('kiosk') === '1';
     this.workspace = new Signal(workspaceOf(location.hash));
-    const rest = () => {
-      clearTimeout(this.#timer);
-      this.#timer = window.setTimeout(() => this.#write(), REST_MS);
-    };
-    scene.subscribe((state, previous) => {
-      if (state !== previous) rest();
-    });
-    this.workspace.watch((open, previous) => {
-      if (previous !== undefined && open !== previous) rest();
-    });
-    // A link that cannot be opened gives way to the scene that stays.
-    addEventListener('hashchange', () => {
-      this.#known = location.hash;
-      this.workspace.value = workspaceOf(location.hash);
-      void opener.link(location.hash).then(() => this.#write());
-    });
   }
 
   /** The whole address of the present scene. */
@@ -49,11 +25,14 @@ export class Address {
     return new URL(`#${encodeLink(state, start)}${open}`, location.href).href;
   }
 
-  #write(): void {
-    // A link that still waits for its mesh must survive a reload.
-    if (this.#opener.waiting || location.hash !== this.#known) return;
-    history.replaceState(null, '', this.link() + (this.kiosk ? '&kiosk=1' : ''));
-    this.#known = location.hash;
+  /** The same, as the address bar has it. */
+  whole(): string {
+    return this.link() + (this.kiosk ? '&kiosk=1' : '');
+  }
+
+  /** Opens the workspace that the address names. */
+  followWorkspace(): void {
+    this.workspace.value = workspaceOf(location.hash);
   }
 }
 

@@ -5,12 +5,13 @@ import { fetchCollection, type FetchListener } from '../files/fetch';
 import { fileName, isArchive, isTable } from '../files/paths';
 import type { SceneFile } from '../files/scene';
 import { detailsOf, messageOf, toError } from '../error';
-import type { InputFile } from '../protocol';
+import type { GivenInput } from './kept';
+import type { InputFile, MeshInput } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { isPainted, LEVEL } from '../state/ground';
 import { HALVED, isWhole, WHOLE } from '../state/inside';
-import { decodeLink } from '../state/link';
+import { decodeLink, isOpenedAlike, undoableOf } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
 import { emptyScene, type MeshReference, type SceneState, TRIANGLES } from '../state/scene';
 import type { SourceSet } from '../state/sources';
@@ -18,29 +19,10 @@ import { MODEL_STYLE } from '../state/styles';
 import { AUTOMATIC, DEFAULT_WINDOWS, MESH_TOO_LARGE, TOO_MANY_WINDOWS, TRIANGLE_BYTES } from '../wasm/contract';
 import type { GroundEditor } from './ground';
 import type { LoadingListener } from './loading';
+import type { Action, Notifier } from './notifier';
 import type { OpenRequest, Shown } from './prepare';
 import type { Session } from './session';
 import { count, t, type Words } from '../texts';
-
-export interface Action {
-  name: Words;
-  run: () => void;
-}
-
-export interface Notifier {
-  /** A mesh is shown. */
-  opened(title: Words, shown: Shown, state: SceneState): void;
-  notice(text: Words): void;
-  /** Tells which of the meshes that came together is shown, and offers the others. */
-  choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void;
-  fail(text: Words, details: string, remedy?: Action): void;
-  /** Stays until the file is there. */
-  askForFile(name: string): void;
-  /** Stays until it is opened: nothing is fetched unasked. */
-  offer(address: string, open: () => void): void;
-  /** What was asked for or offered is no longer wanted. */
-  forget(): void;
-}
 
 /** Files of one drop, paste or dialog. `title` names them while they are read. */
 export interface InputFiles {
@@ -96,9 +78,9 @@ export class Opener {
     this.#ground = ground;
   }
 
-  /** True while a link waits for its mesh: the address must not change before. */
-  get waiting(): boolean {
-    return this.#awaited !== null;
+  /** What a link waits for: the address must not change before. */
+  get awaited(): SceneState | null {
+    return this.#awaited;
   }
 
   async preset(id: string, state?: SceneState): Promise<void> {
@@ -112,9 +94,15 @@ export class Opener {
 
   /** Opens a mesh of files, in a state that is `wanted`; a table alone is for the mesh on screen. */
   async files({ title, files }: InputFiles, wanted: SceneState | null = null): Promise<void> {
-    const [only, ...more] = await files.catch(() => []);
+    const given = await files.catch(() => []);
+    const [only, ...more] = given;
+    if (only && given.every(({ content }) => content.size === 0)) {
+      this.#notifier.fail(t`${title} is empty: nothing is in it. Save or copy it again.`, only.path);
+      return;
+    }
     if (only && more.length === 0 && isTable(only.path)) {
-      await this.#table(only);
+      const { takeTable } = await import('./texts');
+      await takeTable(this.#session, this.#notifier, this.#ground, only);
       return;
     }
     if (only && more.length === 0 && isArchive(only.path) && (await this.#scene(title, only.content))) return;
@@ -154,35 +142,10 @@ export class Opener {
     return true;
   }
 
-  /** Adds sources to the mesh on screen, or paints its ground: what a heading says, and without one the ground. */
-  async #table({ path, content }: InputFile): Promise<void> {
-    const name = fileName(path);
-    const [text, { isNamedList }] = await Promise.all([content.text(), import('../state/list')]);
-    if (isNamedList(text)) await this.#list(name, text);
-    else await this.#change(() => this.#ground.paintRows(name, text));
-  }
-
-  /** Adds what is pasted to the mesh on screen, if it is a list of sources. */
-  async pastedList(text: string): Promise<void> {
-    const { isList } = await import('../state/list');
-    if (isList(text)) await this.#list(String(t('List')), text);
-  }
-
-  /** Adds rows of text as sources of the mesh on screen. */
-  async #list(name: string, text: string): Promise<void> {
-    await this.#change(async () => {
-      const { addList } = await import('./sets');
-      this.#notifier.notice(addList(this.#session, name, text));
-    });
-  }
-
-  /** Reports why a change fails. */
-  async #change(work: () => Promise<void> | void): Promise<void> {
-    try {
-      await work();
-    } catch (error) {
-      this.#notifier.fail(messageOf(error), detailsOf(error));
-    }
+  /** Takes text for what it is: a link, or a list of sources for the mesh on screen. */
+  async pasted(text: string): Promise<void> {
+    const { takePasted } = await import('./texts');
+    await takePasted(this.#session, this.#notifier, text);
   }
 
   /** Fetches what is at an address, in the state that a link wants for it. */
@@ -207,6 +170,23 @@ export class Opener {
     });
   }
 
+  /** Opens once more what a mesh was opened from. */
+  async again(input: GivenInput, wanted: SceneState | null = null): Promise<void> {
+    const { mesh } = input;
+    const collected = () => (input.kind === 'archive' ? collectArchive(input.archive) : collect(input.files));
+    await this.#gather(fileName(mesh), collected, (collection) => {
+      const reference = wanted ? () => wanted.mesh : fileReference;
+      return this.#from({ ...collection, reference }, mesh, wanted);
+    });
+  }
+
+  /** So that the way back, a reload and another visit find it. */
+  async #keep(input: MeshInput): Promise<void> {
+    if (!('mesh' in input)) return;
+    const { keep } = await import('./kept');
+    await keep(this.#session.scene.state.mesh, input);
+  }
+
   /** One mesh of those that came together, in the state that a link wants for it. */
   async #from(origin: Origin, mesh: string, awaited: SceneState | null = null): Promise<void> {
     const title = fileName(mesh);
@@ -217,6 +197,7 @@ export class Opener {
     await this.#open(request, ({ opened }) => {
       const wanted = awaited && 'hash' in awaited.mesh ? awaited.mesh.hash : '';
       this.#forget();
+      void this.#keep(origin.input(mesh));
       if (wanted && wanted !== opened.hash) {
         this.#notifier.notice(
           t`This ${title} is not the file the link was made with, so sources and walker may be in the wrong place.`,
@@ -251,16 +232,42 @@ export class Opener {
   async link(fragment: string): Promise<void> {
     const { state, notices } = decodeLink(fragment, startOf);
     for (const notice of notices) this.#notifier.notice(notice);
-    if (state?.mesh.kind === 'preset') {
-      await this.preset(state.mesh.id, state);
-      return;
-    }
+    if (state && (await this.#find(state))) return;
     if (!state || !this.#session.shown.value) await this.preset(FIRST_PRESET.id);
-    if (!state) return;
+    if (state) this.#await(state);
+  }
+
+  /** A scene that was shown before: at once where the mesh is the same. */
+  async restore(state: SceneState): Promise<void> {
+    const { scene, view } = this.#session;
+    if (isOpenedAlike(state, scene.state)) {
+      scene.edit({ ...undoableOf(state), selected: -1 });
+      const { hidden, camera, animation } = state;
+      scene.set({ hidden, camera, animation });
+      if (camera) view.camera = camera;
+    } else if (!(await this.#find(state))) this.#await(state);
+  }
+
+  /** Opens the mesh of a state; false where only the user can give it, or allow that it is fetched. */
+  async #find(state: SceneState): Promise<boolean> {
+    if (state.mesh.kind === 'preset') {
+      await this.preset(state.mesh.id, state);
+      return true;
+    }
+    const { findKept } = await import('./kept');
+    const input = await findKept(state.mesh);
+    if (!input) return false;
+    await this.again(input, state);
+    // Whatever was wrong with it, there is a scene.
+    if (!this.#session.shown.value) await this.preset(FIRST_PRESET.id);
+    return true;
+  }
+
+  #await(state: SceneState): void {
     this.#awaited = state;
     const { mesh } = state;
     if (mesh.kind === 'file') this.#notifier.askForFile(mesh.name);
-    else this.#notifier.offer(mesh.address, () => void this.address(mesh.address, state));
+    else if (mesh.kind === 'address') this.#notifier.offer(mesh.address, () => void this.address(mesh.address, state));
   }
 
   /** Walks on other parts of the same file. What is placed on parts that stay active stays where it is. */

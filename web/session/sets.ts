@@ -24,6 +24,9 @@ import { boundaryNear, partOf } from './outlines';
 import type { Session } from './session';
 import { count, t, type Words } from '../texts';
 
+/** As a share of the diameter: what was measured on a model is nearer to it. */
+const FAR = 0.1;
+
 /** Letters of the name of a list. */
 const LONGEST_NAME = 60;
 
@@ -156,32 +159,55 @@ async function addFound(session: Session, shapeOn: (mesh: Mesh) => Promise<SetSh
   if (mesh.engine === session.engine) addWhole(session.scene, { shape, points, offset: 0 });
 }
 
+/** A list of sources that can be added. */
+export interface PlacedList {
+  count: number;
+  /** How far the farthest of them is from where it was given. */
+  away: Words;
+  /** Whether that is too far to be meant: see `FAR`. */
+  isFar: boolean;
+  /** Adds them; of which one alone is a single source. What was added, in a sentence. */
+  add: () => Words;
+}
+
 /**
- * Adds a list of sources, of which one alone is a single source. What was added, in a sentence.
+ * A list of sources on the mesh on screen.
+ *
+ * @throws where a row is none, with its line.
+ */
+export function placeList(session: Session, name: string, text: string): PlacedList {
+  const mesh = meshOf(session);
+  if (!mesh) throw new Failure(t('There is no mesh yet.'));
+  const { scene } = session;
+  const { opened, places } = mesh;
+  const unit = unitOf(scene.state, opened);
+  const placed = rowsOf(name, text, unit).map((row) => placedOf(row, mesh));
+  const farthest = placed.reduce((most, { away }) => Math.max(most, away), 0) / opened.drawTransform.scale;
+  const away = measure(ofModel(farthest), unit);
+  const add = () => {
+    const [first, ...others] = placed;
+    if (first && others.length === 0) {
+      addSource(scene, first.source);
+      return 'coordinates' in first.row.place ? t`Added, ${away} away from there.` : t('Added.');
+    }
+    const points = inOrder(placed.map(({ source }) => source));
+    const short = name.replaceAll(/\p{Surrogate}/gu, '').slice(0, LONGEST_NAME);
+    addWhole(scene, { shape: { kind: 'list', name: short }, points, offset: 0 });
+    const isByPlace = placed.some(({ row }) => 'coordinates' in row.place);
+    return isByPlace
+      ? t`${count(points.length)} sources added, at most ${away} away from where they were given.`
+      : t`${count(points.length)} sources added.`;
+  };
+  return { count: placed.length, away, isFar: farthest > FAR * places.diameter, add };
+}
+
+/**
+ * The same, added. What was added, in a sentence.
  *
  * @throws where a row is none, with its line, and nothing is changed.
  */
 export function addList(session: Session, name: string, text: string): Words {
-  const mesh = meshOf(session);
-  if (!mesh) throw new Failure(t('There is no mesh yet.'));
-  const { scene } = session;
-  const { opened } = mesh;
-  const unit = unitOf(scene.state, opened);
-  const placed = rowsOf(name, text, unit).map((row) => placedOf(row, mesh));
-  const farthest = placed.reduce((most, { away }) => Math.max(most, away), 0);
-  const far = measure(ofModel(farthest / opened.drawTransform.scale), unit);
-  const [first, ...others] = placed;
-  if (first && others.length === 0) {
-    addSource(scene, first.source);
-    return 'coordinates' in first.row.place ? t`Added, ${far} away from there.` : t('Added.');
-  }
-  const points = inOrder(placed.map(({ source }) => source));
-  const short = name.replaceAll(/\p{Surrogate}/gu, '').slice(0, LONGEST_NAME);
-  addWhole(scene, { shape: { kind: 'list', name: short }, points, offset: 0 });
-  const isByPlace = placed.some(({ row }) => 'coordinates' in row.place);
-  return isByPlace
-    ? t`${count(points.length)} sources added, at most ${far} away from where they were given.`
-    : t`${count(points.length)} sources added.`;
+  return placeList(session, name, text).add();
 }
 
 interface Placed {

@@ -24,6 +24,8 @@ export class Scene {
   #past: Step[] = [];
   #future: Step[] = [];
   #gesture: object | null = null;
+  /** How often another mesh, or the same in another way, has come. */
+  loads = 0;
   readonly #listeners = new Set<SceneListener>();
 
   constructor(state: SceneState) {
@@ -86,6 +88,7 @@ export class Scene {
     this.#past = [];
     this.#future = [];
     this.#gesture = null;
+    this.loads += 1;
     this.#replace(state);
   }
 

@@ -191,6 +191,11 @@ export function isOpenedWith(field: keyof SceneState): boolean {
   return OPENED_WITH.has(field);
 }
 
+/** Whether two states are of the same mesh, opened in the same way. */
+export function isOpenedAlike(a: SceneState, b: SceneState): boolean {
+  return [...OPENED_WITH].every((field) => JSON.stringify(a[field]) === JSON.stringify(b[field]));
+}
+
 /** What undo goes back over, of a state. */
 export function undoableOf(state: SceneState): Undoable {
   return Object.fromEntries(

@@ -14,7 +14,7 @@ export interface Tape {
 export const SCALES = [1e-12, 1e12] as const;
 
 /** A closed tape has a corner more than a tape there and back. */
-const LEAST_CLOSED = 3;
+export const LEAST_CLOSED = 3;
 
 /** What follows the places of a closed tape in a link. */
 const CLOSED = '!';

@@ -1,4 +1,5 @@
-/** `window.heatwalk`: the page's scripting API, read-only, with lengths in the unit of the model. Described in docs/scripting.md. */
+/** `window.heatwalk`: the page's scripting API, with lengths in the unit of the model. Described in docs/scripting.md. */
+import type { Distances, MeshFigures, Openable, Options, Path, Place, Source, State } from '../embed';
 import type { Clip, DistanceField, FaceField, Moment, PathKind, MeshPoint } from '../protocol';
 import { exactDistanceAt } from '../session/distances';
 import type { Session } from '../session/session';
@@ -12,7 +13,43 @@ import { until } from '../state/signal';
 import { png } from '../view/picture';
 import type { Up } from '../wasm/contract';
 
-export interface Heatwalk {
+/** What changes the page, and what waits for its answer. Whatever is wrong with it rejects, and the scene stays. */
+export interface Script {
+  /** Opens a mesh, and resolves once it is shown. */
+  open(what: Openable): Promise<MeshFigures>;
+  /** Changes the scene by keys of the link and their values. */
+  set(options: Options): Promise<void>;
+  /** In the place of the single sources that there are; sets of sources stay. */
+  setSources(sources: readonly Source[]): Promise<void>;
+  /** Null takes the walker away. */
+  setWalker(walker: Place | null): Promise<void>;
+  setTapes(tapes: readonly { points: readonly Place[]; closed?: boolean }[]): Promise<void>;
+  /** What keys and the search do: names in the language of the page, and keys, the same in each. */
+  commands(): Promise<readonly { name: string; keys: readonly string[] }[]>;
+  /** Does a command, by one of its keys or its name. */
+  run(command: string): Promise<void>;
+  /** Figures of what is shown, with a link to it. */
+  state(): Promise<State>;
+  /** Once nothing is solved any more; null without sources. */
+  distances(): Promise<Distances | null>;
+  /** Likewise; null without a walker, and where no source reaches it. */
+  path(): Promise<Path | null>;
+}
+
+const SCRIPT = [
+  'open',
+  'set',
+  'setSources',
+  'setWalker',
+  'setTapes',
+  'commands',
+  'run',
+  'state',
+  'distances',
+  'path',
+] as const satisfies readonly (keyof Script)[];
+
+export interface Heatwalk extends Script {
   /** Resolves when the first scene is solved and drawn, or when it is certain that nothing can be drawn. */
   readonly ready: Promise<void>;
   /**
@@ -87,14 +124,20 @@ declare global {
   }
 }
 
-/** `decorated` resolves when what is shown beside the field is there. `measured`: what tapes tell. */
+/** `decorated` resolves when what is shown beside the field is there. `measured`: what tapes tell. `load`: what changes the page. */
 export function expose(
   session: Session,
   ready: Promise<void>,
   decorated: () => Promise<void>,
   measured: () => readonly TapeFigures[],
+  load: () => Promise<Script>,
 ): void {
+  const asked = SCRIPT.map((name) => [
+    name,
+    async (...given: unknown[]) => ((await load())[name] as (...all: unknown[]) => unknown)(...given),
+  ]);
   const api: Heatwalk = {
+    ...(Object.fromEntries(asked) as Script),
     ready,
     async settled() {
       await ready;

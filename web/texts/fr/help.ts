@@ -2,6 +2,20 @@
 import type { Texts } from '../translate';
 
 export const HELP: Texts = {
+  Privacy: 'Vie privée',
+  'Meshes are read and solved in this browser. Nothing is uploaded, counted or tracked; the page asks its own host alone, and that of an address that you open.':
+    'Les maillages sont lus et résolus dans ce navigateur. Rien n’est envoyé, compté ni suivi ; la page ne demande rien qu’à son propre hôte, et à celui d’une adresse que vous ouvrez.',
+  'Files that you open are kept in this browser only, to be opened again; so are your choices. The menu “Open” erases the files, and the browser all of it, with the data of this site.':
+    'Les fichiers que vous ouvrez sont gardés dans ce navigateur seulement, pour être rouverts ; vos choix aussi. Le menu « Ouvrir » efface les fichiers, et le navigateur efface le tout avec les données de ce site.',
+  'Report a fault': 'Signaler un défaut',
+  'Nothing is sent by itself. Save the scene, which holds your mesh, copy the report, which names it, look at both, and hand them over.':
+    'Rien n’est envoyé tout seul. Enregistrez la scène, qui contient votre maillage, copiez le rapport, qui le nomme, regardez les deux, et transmettez-les.',
+  Report: 'Rapport',
+  'Copy report': 'Copier le rapport',
+  'A new report': 'Un nouveau rapport',
+  'The source, and its license': 'Les sources, et leur licence',
+  'Whoever runs this page has not said where its source is, and who takes reports.':
+    'L’hébergeur de cette page n’a pas dit où en sont les sources, ni qui reçoit les rapports.',
   Language: 'Langue',
   'Close the help': 'Fermer l’aide',
   'All documents, with a search': 'Tous les documents, avec une recherche (en anglais)',

@@ -2,6 +2,27 @@
 import type { Texts } from '../translate';
 
 export const PAGE: Texts = {
+  'This address of {0} names no mesh; open it by the menu beside the name if there is one.':
+    'Cette adresse de {0} ne nomme aucun maillage ; s’il y en a un, ouvrez-la par le menu à côté du nom.',
+  'What was pasted, “{0}”, is no mesh, no address of one, no link and no list of sources. Nothing has changed.':
+    'Le texte collé, « {0} », n’est ni un maillage, ni l’adresse d’un maillage, ni un lien, ni une liste de sources. Rien n’a changé.',
+  'The numbers pasted ({0} places) lie up to {1} away from the model. Nothing has changed.':
+    'Les nombres collés ({0} endroits) sont jusqu’à {1} du modèle. Rien n’a changé.',
+  'Add the nearest places as sources': 'Ajouter les endroits les plus proches comme sources',
+  'A new version of this page is ready. Until you reload, nothing changes.':
+    'Une nouvelle version de cette page est prête. Rien ne change avant que vous ne rechargiez.',
+  'Reload, with the scene as it is': 'Recharger, avec la scène comme elle est',
+  '{0} is empty: nothing is in it. Save or copy it again.':
+    '{0} est vide : il n’y a rien dedans. Enregistrez-le ou copiez-le de nouveau.',
+  Recent: 'Récents',
+  'Kept in this browser only.': 'Gardés dans ce navigateur seulement.',
+  'Erase all': 'Tout effacer',
+  'Erase {0}': 'Effacer {0}',
+  'Open {0} again': 'Rouvrir {0}',
+  '{0} is not kept. {1}': '{0} n’est pas gardé. {1}',
+  'The page is not opened over HTTPS.': 'La page n’est pas ouverte par HTTPS.',
+  'More than {0} MiB are not kept.': 'Plus de {0} Mio ne sont pas gardés.',
+  'The browser has no room for it, or keeps nothing.': 'Le navigateur n’a pas la place, ou ne garde rien.',
   'Position of the cut': 'Position de la coupe',
   'Legend.': 'Légende.',
   'Tape {0}: {1}.': 'Ruban {0} : {1}.',

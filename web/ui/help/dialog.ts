@@ -1,7 +1,9 @@
 /** What the hand can do on this device, and lines on the settings. Fetched when it is asked for first. */
 import '../../style/help.css';
+import type { Session } from '../../session/session';
 import { h, labelled, sayAgain, select, toggle } from '../dom';
 import { hasShortcuts, setShortcuts } from '../shortcuts';
+import { about } from './about';
 import { addressOf } from './documents';
 import { explain } from './explain';
 import { GESTURES } from './gestures';
@@ -19,7 +21,7 @@ const arrivals = new MutationObserver((changes) => {
 });
 
 /** Opens the help. `panel`: whose settings can be explained; null where there is none. */
-export function openHelp(panel: HTMLElement | null, failed: (error: unknown) => void): void {
+export function openHelp(session: Session, panel: HTMLElement | null, failed: (error: unknown) => void): void {
   let table = gestures();
   const spoken = () => {
     sayAgain();
@@ -42,6 +44,7 @@ export function openHelp(panel: HTMLElement | null, failed: (error: unknown) => 
       h('a', { href: addressOf(''), target: '_blank', rel: 'noopener' }, t('All documents, with a search')),
       '.',
     ),
+    ...about(session),
   );
   dialog.addEventListener('close', () => dialog.remove());
   dialog.addEventListener('click', ({ target }) => {

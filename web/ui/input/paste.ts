@@ -1,4 +1,4 @@
-/** Files, addresses and lists of sources from the clipboard. */
+/** What the clipboard holds: files, an address, other text. */
 import { addressIn, namesMesh } from '../../files/address';
 import type { Opener } from '../../session/opener';
 import { itemsOf } from './files';
@@ -12,7 +12,7 @@ export function followPaste(opener: Opener): void {
     const address = addressIn(text);
     if (clipboardData.files.length > 0) void opener.files(itemsOf(clipboardData.items));
     else if (address && namesMesh(address)) void opener.address(address);
-    else if (text) void opener.pastedList(text);
+    else if (text.trim()) void opener.pasted(text);
     else return;
     event.preventDefault();
   });

@@ -2,7 +2,7 @@
 import { hostOf, nameOf } from '../../files/address';
 import { MOST_FETCHED } from '../../files/fetch';
 import { fileName } from '../../files/paths';
-import type { Action, Notifier } from '../../session/opener';
+import type { Action, Notifier } from '../../session/notifier';
 import type { Shown } from '../../session/prepare';
 import { unitOf } from '../../length';
 import type { SceneState } from '../../state/scene';
@@ -51,10 +51,14 @@ export class Messages implements Notifier {
     this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
   }
 
-  notice(text: Words): void {
+  notice(text: Words, action?: Action): void {
     const former = [...this.#polite.children].find((one) => one.querySelector('p')?.textContent === String(text));
     former?.remove();
-    this.#say(this.#polite, 'notice', text, []);
+    const run = () => {
+      message.remove();
+      action?.run();
+    };
+    const message = this.#say(this.#polite, 'notice', text, action ? [{ ...action, run }] : []);
   }
 
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void {

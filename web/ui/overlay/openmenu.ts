@@ -1,8 +1,9 @@
-/** What opens a mesh: a file, a folder, an address, a preset. Fetched when it is asked for first. */
+/** What opens a mesh: a file, a folder, an address, a preset, a file that was opened before. Fetched when it is asked for first. */
 import '../../style/search.css';
 import { addressIn } from '../../files/address';
 import { formats } from '../../files/paths';
 import type { Opener } from '../../session/opener';
+import { recentFiles } from './recent';
 import { h, say } from '../dom';
 import { t, type Words } from '../../texts';
 
@@ -57,6 +58,10 @@ export function openMenu(
     menu.hidePopover();
     void opener.address(address);
   });
+  const recent = recentFiles((input) => {
+    menu.hidePopover();
+    void opener.again(input);
+  });
   const menu = h(
     'div',
     { class: 'open-menu', popover: 'auto', role: 'dialog', 'aria-label': t('Open') },
@@ -68,6 +73,7 @@ export function openMenu(
       presets && item(t('Presets'), '', t('Show the presets'), presets),
       form,
       said,
+      recent.element,
     ),
   );
   menu.addEventListener('beforetoggle', () => {
@@ -75,6 +81,7 @@ export function openMenu(
     menu.style.left = `${Math.min(left, Math.max(MARGIN, innerWidth - MARGIN - WIDTH))}px`;
     menu.style.top = `${bottom + 8}px`;
     say(said, null);
+    void recent.show();
   });
   document.body.append(menu);
   beside.popoverTargetElement = menu;

@@ -1,4 +1,4 @@
-/** What the page around the frame gets, in the types of web/embed.ts. */
+/** What scripts and the page around the frame get, in the types of web/embed.ts. */
 import type { Distances, FieldFigures, MeshFigures, Path, State } from '../../embed';
 import type { DistanceField, DrawTransform } from '../../protocol';
 import type { Shown } from '../../session/prepare';

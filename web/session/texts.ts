@@ -1,0 +1,86 @@
+/** Texts that are pasted, and tables that come as files. Fetched with the first of these. */
+import { addressIn, hostOf } from '../files/address';
+import { fileName } from '../files/paths';
+import { detailsOf, messageOf } from '../error';
+import type { InputFile } from '../protocol';
+import { isList, isNamedList } from '../state/list';
+import type { GroundEditor } from './ground';
+import type { Notifier } from './notifier';
+import type { Session } from './session';
+import { count, t } from '../texts';
+
+/** Letters of a text that a message repeats. */
+const TOLD_LETTERS = 40;
+
+/** Adds sources to the mesh on screen, or paints its ground: what a heading says, and without one the ground. */
+export async function takeTable(
+  session: Session,
+  notifier: Notifier,
+  ground: GroundEditor,
+  { path, content }: InputFile,
+): Promise<void> {
+  const name = fileName(path);
+  const text = await content.text();
+  await reported(notifier, async () => {
+    if (!isNamedList(text)) return ground.paintRows(name, text);
+    const { addList } = await import('./sets');
+    notifier.notice(addList(session, name, text));
+  });
+}
+
+/** Follows a link of this page, adds a list of sources to the mesh on screen, and tells what is neither. */
+export async function takePasted(session: Session, notifier: Notifier, text: string): Promise<void> {
+  const fragment = sceneIn(text);
+  if (fragment !== null) location.hash = fragment;
+  else if (isList(text)) await reported(notifier, () => offerList(session, notifier, text));
+  else {
+    const address = addressIn(text);
+    const short = text.trim().replaceAll(/\s+/g, ' ').slice(0, TOLD_LETTERS);
+    notifier.notice(
+      address
+        ? t`This address of ${hostOf(address)} names no mesh; open it by the menu beside the name if there is one.`
+        : t`What was pasted, “${short}”, is no mesh, no address of one, no link and no list of sources. Nothing has changed.`,
+    );
+  }
+}
+
+/** Adds a list; stray numbers that lie elsewhere than the model only once the user says so. */
+async function offerList(session: Session, notifier: Notifier, text: string): Promise<void> {
+  const { placeList } = await import('./sets');
+  const list = placeList(session, String(t('List')), text);
+  // A heading says what is meant.
+  if (!list.isFar || isNamedList(text)) {
+    notifier.notice(list.add());
+    return;
+  }
+  const mesh = session.shown.value?.opened;
+  notifier.notice(
+    t`The numbers pasted (${count(list.count)} places) lie up to ${list.away} away from the model. Nothing has changed.`,
+    {
+      name: t('Add the nearest places as sources'),
+      run: () => {
+        // Places of another mesh mean nothing on this one.
+        if (session.shown.value?.opened === mesh) void reported(notifier, () => notifier.notice(list.add()));
+      },
+    },
+  );
+}
+
+/** The fragment of a link of this page that names a scene. */
+function sceneIn(text: string): string | null {
+  const trimmed = text.trim();
+  if (/\s/.test(trimmed) || !URL.canParse(trimmed)) return null;
+  const { origin, pathname, hash } = new URL(trimmed);
+  const keys = new URLSearchParams(hash.slice(1));
+  const isOurs = origin === location.origin && pathname === location.pathname;
+  return isOurs && (keys.has('m') || keys.has('model')) ? hash : null;
+}
+
+/** Tells why a change fails. */
+async function reported(notifier: Notifier, work: () => Promise<void> | void): Promise<void> {
+  try {
+    await work();
+  } catch (error) {
+    notifier.fail(messageOf(error), detailsOf(error));
+  }
+}
