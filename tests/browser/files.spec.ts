@@ -1,9 +1,10 @@
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
+import { gzipSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
 import { strToU8, zipSync } from 'fflate';
-import { gltf, obj, off, sphere } from '../fixtures';
+import { gltf, grid, obj, off, sphere } from '../fixtures';
 import { expect, openSection, test } from '../page';
 
 const BALL = sphere(8);
@@ -108,6 +109,22 @@ test('an archive is opened with what its mesh refers to', async ({ heatwalk, pag
   expect((await heatwalk.mesh()).triangles).toBe(TRIANGLES);
   await expect(page).toHaveURL(/m=file&name=ball\.gltf&hash=[\da-f]{64}/);
   await expect(page.getByLabel('Mesh to open')).toBeHidden();
+});
+
+test('a mesh that gzip has packed is opened; a damaged one and one that only claims room are refused', async ({
+  heatwalk,
+  page,
+}) => {
+  await heatwalk.open();
+  const packed = gzipSync(off(grid(4)));
+  await heatwalk.drop([['sheet.OFF.gz', packed]]);
+  await expect.poll(async () => (await heatwalk.mesh()).name).toBe('sheet.OFF');
+  expect((await heatwalk.mesh()).triangles).toBe(32);
+  await heatwalk.drop([['torn.off.gz', packed.subarray(0, packed.length / 2)]]);
+  await expect(page.locator('.message.error')).toContainText('torn.off.gz is damaged or cut short');
+  await heatwalk.drop([['zeros.off.gz', gzipSync(Buffer.alloc(2 ** 26))]]);
+  await expect(page.locator('.message.error').last()).toContainText(/zeros\.off\.gz takes more than \d\d MiB unpacked/);
+  expect((await heatwalk.mesh()).name).toBe('sheet.OFF');
 });
 
 test('a 3MF file is a mesh, though it is an archive, and tells its unit', async ({ heatwalk, page }) => {

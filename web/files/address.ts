@@ -1,5 +1,5 @@
 /** Addresses of meshes. */
-import { fileName, isArchive, isMesh } from './paths';
+import { fileName, isArchive, isMesh, withoutGz } from './paths';
 
 /** An http or https address as the browser writes it, without a fragment; null for any other text. */
 export function addressIn(text: string): string | null {
@@ -13,7 +13,7 @@ export function addressIn(text: string): string | null {
 
 /** Whether an address says by its path that a mesh is there, or an archive. */
 export function namesMesh(address: string): boolean {
-  const path = pathOf(address);
+  const path = withoutGz(pathOf(address));
   return isMesh(path) || isArchive(path);
 }
 

@@ -1,7 +1,7 @@
 /** The meshes of one input: files, or an archive of them. */
 import { Failure } from '../error';
 import type { InputFile, MeshInput } from '../protocol';
-import { formats, fileName, isArchive, meshesAmong } from './paths';
+import { formats, fileName, isArchive, isPacked, meshesAmong } from './paths';
 import { counted, enumerated, t, type Words } from '../texts';
 
 export interface Collection {
@@ -11,13 +11,18 @@ export interface Collection {
 }
 
 /** The meshes among files. An archive is looked into where there is no mesh beside it. */
-export async function collect(files: readonly InputFile[]): Promise<Collection> {
+export async function collect(given: readonly InputFile[]): Promise<Collection> {
+  const files = await Promise.all(given.map(unpacked));
   const paths = files.map(({ path }) => path);
   const [first, ...others] = meshesAmong(paths);
   if (first !== undefined) return { meshes: [first, ...others], input: (mesh) => ({ kind: 'files', mesh, files }) };
   const archive = files.find(({ path }) => isArchive(path));
   if (!archive) throw new NoMesh(paths);
   return collectArchive(archive.content);
+}
+
+async function unpacked(file: InputFile): Promise<InputFile> {
+  return isPacked(file.path) ? (await import('./gzip')).unpacked(file) : file;
 }
 
 /** The meshes of an archive. */

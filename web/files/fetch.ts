@@ -2,7 +2,7 @@
 import { Failure, messageOf } from '../error';
 import { pathOf } from './address';
 import { type Collection, collectArchive } from './collection';
-import { isMesh } from './paths';
+import { isMesh, isPacked } from './paths';
 import { type Reference, gltfReferences, librariesOf, mapsOf } from './references';
 import type { InputFile } from '../protocol';
 import { count, t, type Words } from '../texts';
@@ -33,12 +33,15 @@ export async function fetchCollection(
   signal: AbortSignal,
 ): Promise<Collection> {
   const fetcher = new Fetcher(progress, signal);
-  const { content, base } = await fetcher.fetch(new URL(address));
+  const { content: packed, base } = await fetcher.fetch(new URL(address));
+  const named = { path: pathOf(address), content: packed };
+  const file = isPacked(named.path) ? await (await import('./gzip')).unpacked(named) : named;
+  const { content } = file;
   const head = await content.slice(0, HEAD_BYTES).text();
-  if (head.startsWith(ARCHIVE) && !isMesh(pathOf(address))) return collectArchive(content);
+  if (head.startsWith(ARCHIVE) && !isMesh(file.path)) return collectArchive(content);
   if (PAGE.test(head))
     throw new Failure(t('the address gives a web page, not a mesh; use the address of the file itself'));
-  const mesh = pathOf(address) || 'mesh';
+  const mesh = file.path || 'mesh';
   const document = JSON_DOCUMENT.test(head) ? await content.text() : '';
   const companions = document ? await fetcher.companions(gltfReferences(mesh, document), base) : [];
   if (OBJ.test(mesh)) {

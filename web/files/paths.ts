@@ -7,17 +7,18 @@ const TETRAHEDRA = ['ele', 'mesh', 'meshb', 'msh', 'node'];
 const EITHER = ['vtk', 'vtu'];
 const MESHES = [...SURFACES, ...TETRAHEDRA, ...EITHER];
 const ARCHIVE = 'zip';
+const PACKED = 'gz';
 /** Of rows of numbers. */
 const TABLE = 'csv';
 /** Of what meshes refer to. */
 const RESOURCES = ['bin', 'mtl', 'png', 'jpg', 'jpeg', 'webp'];
 /** All that can be opened, for a dialog. */
-export const ACCEPTED = [...MESHES, ...RESOURCES, TABLE, ARCHIVE].map((extension) => `.${extension}`).join(',');
+export const ACCEPTED = [...MESHES, ...RESOURCES, TABLE, ARCHIVE, PACKED].map((extension) => `.${extension}`).join(',');
 
 /** In words. */
 export const formats = () =>
   t(
-    'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), alone, in a folder or in a .zip',
+    'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), alone, in a folder or in a .zip, also packed by gzip (.gz)',
   );
 
 /** What systems put beside the files of the user. */
@@ -25,6 +26,15 @@ const HIDDEN = /(^|\/)(\.|__MACOSX\/)/;
 
 export function isMesh(path: string): boolean {
   return MESHES.includes(extensionOf(path)) && !HIDDEN.test(path);
+}
+
+/** Whether gzip has packed it. */
+export function isPacked(path: string): boolean {
+  return extensionOf(path) === PACKED;
+}
+
+export function withoutGz(path: string): string {
+  return isPacked(path) ? path.slice(0, -`.${PACKED}`.length) : path;
 }
 
 /** Whether a mesh is one of tetrahedra by its name. */

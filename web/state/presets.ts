@@ -263,17 +263,7 @@ async function loadDragon(): Promise<MeshInput> {
     throw new Failure(
       t`The dragon could not be downloaded (HTTP status ${response.status}). Check the connection and choose it again.`,
     );
-  const packed = new Uint8Array(await response.arrayBuffer());
-  const content = new Blob([isGzip(packed) ? await unzip(packed) : packed]);
-  return { kind: 'files', mesh: 'dragon.ply', files: [{ path: 'dragon.ply', content }] };
-}
-
-/** Some servers unpack .gz before they send it. */
-function isGzip(bytes: Uint8Array): boolean {
-  return bytes[0] === 0x1f && bytes[1] === 0x8b;
-}
-
-async function unzip(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array<ArrayBuffer>> {
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  const { unpacked } = await import('../files/gzip');
+  const file = await unpacked({ path: 'dragon.ply.gz', content: await response.blob() });
+  return { kind: 'files', mesh: file.path, files: [file] };
 }

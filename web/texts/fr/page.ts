@@ -371,8 +371,8 @@ export const PAGE: Texts = {
   'the connection to {0} was lost; try again': 'la connexion à {0} a été perdue ; réessayez',
   'download the file and drop it here': 'téléchargez le fichier et déposez-le ici',
   'it is larger than {0}, the most that is fetched; {1}': 'il dépasse {0}, le plus qui soit téléchargé ; {1}',
-  'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), alone, in a folder or in a .zip':
-    'GLB, glTF avec son .bin, OBJ avec son .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tétraèdres de Medit (.mesh), Gmsh (.msh), TetGen (.node avec .ele), seuls, dans un dossier ou dans un .zip',
+  'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), alone, in a folder or in a .zip, also packed by gzip (.gz)':
+    'GLB, glTF avec son .bin, OBJ avec son .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tétraèdres de Medit (.mesh), Gmsh (.msh), TetGen (.node avec .ele), seuls, dans un dossier ou dans un .zip, aussi compressés par gzip (.gz)',
   'its {0} is damaged; save the scene again': 'son {0} est endommagé ; enregistrez de nouveau la scène',
   'its {0} was written by another version of the page; reload the page, and open it again':
     'son {0} vient d’une autre version de la page ; rechargez la page, et rouvrez-le',
@@ -546,6 +546,9 @@ export const ARCHIVES: Texts = {
     '{0} est chiffré ; décompressez l’archive et ouvrez les fichiers',
   '{0} is packed by method {1}, which is not supported; pack it again as a plain .zip':
     '{0} est compressé par la méthode {1}, qui n’est pas lue ; recompressez-le en simple .zip',
+  '{0} is damaged or cut short; copy it again': '{0} est endommagé ou tronqué ; copiez-le de nouveau',
+  '{0} takes more than {1} MiB unpacked, too much for a file of this size':
+    '{0} fait plus de {1} Mio une fois décompressé, trop pour un fichier de cette taille',
   '{0} and what is with it take more than {1} MiB unpacked, too much for an archive of this size':
     '{0} et ce qui l’accompagne prennent plus de {1} Mio une fois décompressés, trop pour une archive de cette taille',
   'the archive holds {0} twice; unpack it and open the files':

@@ -1,7 +1,7 @@
 /** What a drop, the clipboard or a file dialogue holds, as files with their paths. */
 import { Failure } from '../../error';
 import { addressIn } from '../../files/address';
-import { isArchive, isMesh } from '../../files/paths';
+import { isArchive, isMesh, withoutGz } from '../../files/paths';
 import type { InputFile } from '../../protocol';
 import type { InputFiles } from '../../session/opener';
 import { count, t } from '../../texts';
@@ -29,7 +29,7 @@ export function itemsOf(items: DataTransferItemList): InputFiles {
 /** The address of a link or an image that is dragged from another page; null where there are files to open. */
 export function draggedAddress(dragged: DataTransfer): string | null {
   if ([...dragged.items].some((item) => item.webkitGetAsEntry()?.isDirectory)) return null;
-  if ([...dragged.files].some(({ name }) => isMesh(name) || isArchive(name))) return null;
+  if ([...dragged.files].some(({ name }) => isMesh(withoutGz(name)) || isArchive(name))) return null;
   // A list may begin with comments.
   const lines = dragged.getData('text/uri-list').split('\n').map(addressIn);
   return lines.find((address) => address !== null) ?? null;
