@@ -194,6 +194,7 @@ async function allLengths(heatwalk: HeatwalkPage, symbol: string): Promise<Recor
   found['PLY'] = boundsOf(PLACES.map((_, vertex) => row(vertex)));
   found['distance, PLY'] = row(FAR)[3];
   found['GLB'] = extentOfGlb(await file('Distances', 'glb', 'Save distances'), symbol);
+  found['GLB with the stripes'] = extentOfGlb(await file('Distances', 'stripes.glb', 'Save distances'), symbol);
 
   const path = columnsOf((await file('Path', 'csv', 'Save path')).toString());
   found['path, CSV'] = path['length'].at(-1) ?? NaN;
@@ -243,6 +244,7 @@ const EXPECTED: Readonly<Record<string, number | readonly number[]>> = {
   PLY: SIDES,
   'distance, PLY': OFFSET + PATH,
   GLB: SIDES,
+  'GLB with the stripes': SIDES,
   'path, CSV': PATH,
   'path, OBJ': SIDES,
   'path, GLB': SIDES,

@@ -212,6 +212,11 @@ export class Session {
     this.#presenter.paint(instead);
   }
 
+  /** The surface as it is painted; null without a field. */
+  get painted(): Presenter['painted'] {
+    return this.#presenter.painted;
+  }
+
   /** Takes what moves by itself further. */
   animate(seconds: number): void {
     if (!this.paused.value) this.animator.advance(seconds);

@@ -135,6 +135,9 @@ export const PANEL: Texts = {
   'PLY, double': 'PLY, double précision',
   'GLB with materials': 'GLB avec matériaux',
   'PLY, vertex colors': 'PLY, couleurs par sommet',
+  'GLB with the stripes': 'GLB avec les bandes',
+  'The stripes are on the colors of the style, without the materials of the file.':
+    'Les bandes sont sur les couleurs du style, sans les matériaux du fichier.',
   'Command line': 'Ligne de commande',
   'There are no distances yet. Click the surface to place a source.':
     'Il n’y a pas encore de distances. Cliquez sur la surface pour placer une source.',

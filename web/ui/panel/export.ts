@@ -26,17 +26,21 @@ const CURVES: readonly (readonly [CurveFile['kind'], Words])[] = [
   ['unrolled.svg', t('Strips unrolled, SVG')],
   ['unrolled.dxf', t('Strips unrolled, DXF')],
 ];
-const DISTANCES: readonly (readonly [DistanceFile, Words])[] = [
+/** The surface as it is painted, which the page writes by itself. */
+const STRIPES = 'stripes.glb';
+const DISTANCES: readonly (readonly [DistanceFile | typeof STRIPES, Words])[] = [
   ['csv', 'CSV'],
   ['npy', 'NumPy'],
   ['ply', t('PLY, double')],
   ['glb', t('GLB with materials')],
   ['weights.ply', t('PLY, vertex colors')],
+  [STRIPES, t('GLB with the stripes')],
 ];
-const INNER_DISTANCES: readonly (readonly [InnerDistanceFile, Words])[] = [
+const INNER_DISTANCES: readonly (readonly [InnerDistanceFile | typeof STRIPES, Words])[] = [
   ['csv', 'CSV'],
   ['vtu', t('VTU, tetrahedra')],
   ['msh', t('Gmsh, tetrahedra')],
+  [STRIPES, t('GLB with the stripes')],
 ];
 const PATHS = [
   ['csv', 'CSV'],
@@ -190,8 +194,8 @@ function tableOf({ rows }: Isolines, unit: LengthUnit): HTMLElement {
 }
 
 function distanceControls(session: Session, action: Action): HTMLElement[] {
-  let kind: DistanceFile = 'csv';
-  let innerKind: InnerDistanceFile = 'csv';
+  let kind: DistanceFile | typeof STRIPES = 'csv';
+  let innerKind: InnerDistanceFile | typeof STRIPES = 'csv';
   const file = select(t('Distances'), DISTANCES, (value) => (kind = value));
   const innerFile = select(t('Distances'), INNER_DISTANCES, (value) => (innerKind = value));
   const isInside = () => Boolean(session.shown.value?.opened.interior);
@@ -201,13 +205,25 @@ function distanceControls(session: Session, action: Action): HTMLElement[] {
   const work = async () => {
     const engine = asked(session);
     const unit = shownUnit(session);
-    const bytes = await (isInside()
-      ? engine.queries.innerDistanceFile(innerKind, unit)
-      : engine.queries.distanceFile(kind, unitOfFile(kind, unit)));
+    const bytes = isInside()
+      ? innerKind !== STRIPES && (await engine.queries.innerDistanceFile(innerKind, unit))
+      : kind !== STRIPES && (await engine.queries.distanceFile(kind, unitOfFile(kind, unit)));
+    if (!bytes) return saveStripes(session, unit);
     save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.distances.${isInside() ? innerKind : kind}`);
   };
   const title = t('One for each vertex of the file, in the unit that is shown; GLB files are in meters');
   return [file.element, innerFile.element, action(t('Save distances'), title, work)];
+}
+
+async function saveStripes(session: Session, unit: LengthUnit): Promise<Words | void> {
+  const { stripesGlb } = await import('../../session/stripes');
+  const { painted, shown } = session;
+  if (!painted || !shown.value) throw new Failure(t('There are no distances yet.'));
+  const { name, appearance, drawTransform } = shown.value.opened;
+  const file = stripesGlb(painted, drawTransform, unitOfFile('glb', unit), name);
+  save(new Blob([file]), `${fileNameOf(shown.value)}.${STRIPES}`);
+  if (appearance && painted.style.surfaceOf === 'file')
+    return t('The stripes are on the colors of the style, without the materials of the file.');
 }
 
 function pathControls(session: Session, action: Action): HTMLElement[] {
