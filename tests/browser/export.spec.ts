@@ -57,6 +57,11 @@ test('isolines are drawn, measured and saved, and distances with the materials o
   await curves.selectOption('unrolled.svg');
   await page.getByRole('button', { name: 'Save isolines' }).click();
   await expect(section.getByRole('status')).toContainText('cannot be unrolled');
+  // Flat are only those that are narrower than triangles.
+  await page.getByLabel('Isolines at').fill('0.5, 0.501, 1');
+  const sheet = await saved(page, 'Save isolines');
+  expect(sheet.bytes.toString()).toMatch(/^<svg[^>]*>\n<g[^>]*>\n<path class="strip_1_0.5_to_0.501"/);
+  await expect(section.getByRole('status')).toContainText('the strips below 0.5');
 
   await distances.selectOption('npy');
   const { bytes } = await saved(page, 'Save distances');

@@ -177,9 +177,24 @@ async function allLengths(heatwalk: HeatwalkPage, symbol: string): Promise<Recor
   const svg = (await file('File', 'svg', 'Save isolines')).toString();
   const [, across = '', suffix = '', wide = ''] = /width="([\d.]+)(mm)?" .*viewBox="0 0 ([\d.]+)/.exec(svg) ?? [];
   expect(suffix).toBe(symbol && 'mm');
-  expect(Number(wide)).toBeCloseTo(1000, 6);
+  // Millimeters are its units, where they are known.
+  expect(Number(wide)).toBeCloseTo(symbol ? Number(across) : 1000, 6);
+  expect(code).toBe(symbol && '4');
   // Without a unit it has no scale, and as many pixels.
   found['curves, SVG'] = suffix ? Number(across) : (Number(across) / 1000) * 1.06 * SIDES[0];
+
+  if (symbol) {
+    const pdf = (await file('File', 'pdf', 'Save isolines')).toString('latin1');
+    const [, points = ''] = /\/MediaBox \[0 0 ([\d.]+) /.exec(pdf) ?? [];
+    expect(pdf).toContain('(100 mm     1 : 1) Tj');
+    // Without the margins of the page.
+    found['curves, PDF'] = (Number(points) / 72) * 25.4 - 20;
+  } else {
+    await section.getByRole('combobox', { name: 'File', exact: true }).selectOption('pdf');
+    await page.getByRole('button', { name: 'Save isolines' }).click();
+    await expect(section.getByRole('status')).toContainText('nothing says what the lengths are in');
+    found['curves, PDF'] = 1.06 * SIDES[0];
+  }
 
   const csv = columnsOf((await file('Distances', 'csv', 'Save distances')).toString());
   found['distance, CSV'] = csv['distance'][FAR];
@@ -239,6 +254,7 @@ const EXPECTED: Readonly<Record<string, number | readonly number[]>> = {
   'curves, GLB': EXTENT,
   // What is seen, and the margins on both sides.
   'curves, SVG': 1.06 * SIDES[0],
+  'curves, PDF': 1.06 * SIDES[0],
   'distance, CSV': OFFSET + PATH,
   'distance, NumPy': OFFSET + PATH,
   PLY: SIDES,

@@ -1,5 +1,5 @@
 /** Isolines and files of distances, by a module that is loaded with the first of them. */
-import type { CurveFile, DistanceFile, IsolineRow, Isolines, IsolineWish } from '../../protocol';
+import type { CurveFile, DistanceFile, IsolineRow, Isolines, IsolineWish, SavedCurves } from '../../protocol';
 import { type LengthUnit, MODEL, typed } from '../../length';
 import { fileName } from '../../files/paths';
 import type * as curves from '../../wasm/curves/heatwalk_curves';
@@ -49,12 +49,19 @@ export async function curveFile(
   wish: IsolineWish,
   { kind, towardEye, unit }: CurveFile,
   { transform }: ShownAs,
-): Promise<Bytes> {
+): Promise<SavedCurves> {
   const found = await trace(solver, wish, unit);
   const { symbol } = unit;
-  return (
-    kind === 'svg' ? found.svg(Float64Array.from(towardEye), transform.up, symbol) : found.file(kind, symbol)
-  ) as Bytes;
+  const bytes =
+    kind === 'svg' || kind === 'pdf'
+      ? found.picture(kind, Float64Array.from(towardEye), transform.up, symbol)
+      : found.file(kind, symbol);
+  const bounds = Array.from(found.left_out(), (bound) => (bound < 0 ? null : bound));
+  const leftOut = Array.from(
+    { length: bounds.length / 2 },
+    (_, strip) => [bounds[2 * strip] ?? null, bounds[2 * strip + 1] ?? null] as const,
+  );
+  return { bytes: bytes as Bytes, leftOut };
 }
 
 export async function distanceFile(

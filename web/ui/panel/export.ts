@@ -1,5 +1,5 @@
 import { Failure, messageOf } from '../../error';
-import type { CurveFile, DistanceFile, InnerDistanceFile, Isolines } from '../../protocol';
+import type { CurveFile, DistanceFile, InnerDistanceFile, Isolines, SavedCurves } from '../../protocol';
 import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../session/export';
 import { isolineWish } from '../../session/isolines';
 import type { Engine } from '../../solver/engine';
@@ -8,26 +8,30 @@ import { commandLines, type Measured, pythonLines } from '../../state/reproduce'
 import type { MeshReference } from '../../state/scene';
 import { isolinesText, parseIsolines } from '../../state/isolines';
 import { rustLines } from '../../state/rust';
-import { isSameUnit, type LengthUnit, MODEL, told, toldArea, unitOf, unitOfFile } from '../../length';
+import { inModel, isKnown, isSameUnit, type LengthUnit, MODEL, told, toldArea, unitOf, unitOfFile } from '../../length';
 import { save } from '../../view/picture';
 import { copy } from '../clipboard';
 import { h, say, select } from '../dom';
-import { threeDigits, unitWords, withUnit } from '../../state/measures';
+import { measure as lengthWords, threeDigits, unitWords, withUnit } from '../../state/measures';
 import { fileNameOf } from '../words';
-import { counted, listed, t, type Words } from '../../texts';
+import { counted, enumerated, listed, t, type Words } from '../../texts';
 
 const CURVES: readonly (readonly [CurveFile['kind'], Words])[] = [
   ['obj', t('Curves, OBJ')],
   ['dxf', t('Curves, DXF')],
   ['svg', t('Curves as seen, SVG')],
+  ['pdf', t('Curves as seen, PDF')],
   ['csv', t('Curves, CSV')],
   ['glb', t('Curves, GLB')],
   ['strips.obj', t('Strips, OBJ')],
   ['unrolled.svg', t('Strips unrolled, SVG')],
   ['unrolled.dxf', t('Strips unrolled, DXF')],
+  ['unrolled.pdf', t('Strips unrolled, PDF')],
 ];
 /** The surface as it is painted, which the page writes by itself. */
 const STRIPES = 'stripes.glb';
+/** Strips that are named one by one. */
+const MOST_NAMED = 5;
 const DISTANCES: readonly (readonly [DistanceFile | typeof STRIPES, Words])[] = [
   ['csv', 'CSV'],
   ['npy', 'NumPy'],
@@ -142,12 +146,15 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   let kind: CurveFile['kind'] = 'obj';
   const file = select(t('File'), CURVES, (value) => (kind = value));
   const saveFile = async () => {
-    const bytes = await measured(session).queries.curveFile(wish(), {
-      kind,
-      towardEye: towardEye(session.view.camera),
-      unit: unitOfFile(kind, shownUnit(session)),
-    });
+    const unit = unitOfFile(kind, shownUnit(session));
+    if (kind.endsWith('pdf') && !isKnown(unit))
+      throw new Failure(
+        t('A PDF is at true scale, and nothing says what the lengths are in. Choose it by "Correct unit".'),
+      );
+    const file = { kind, towardEye: towardEye(session.view.camera), unit };
+    const { bytes, leftOut } = await measured(session).queries.curveFile(wish(), file);
     save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.isolines.${kind}`);
+    return leftOut.length > 0 ? leftOutWords(session, leftOut, unit) : undefined;
   };
   session.shown.watch((shown, previous) => {
     if (shown?.answer.field !== previous?.answer.field) table.replaceChildren();
@@ -165,6 +172,18 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
     file.element,
     action(t('Save isolines'), t('Curves of equal distance, or the surface cut along them'), saveFile),
   ];
+}
+
+/** Strips that are not in a file. */
+function leftOutWords(session: Session, strips: SavedCurves['leftOut'], unit: LengthUnit): Words {
+  const length = (value: number) => lengthWords(inModel(value, unit), shownUnit(session));
+  const words = strips.map(([from, to]) => {
+    if (from === null) return t`below ${length(to ?? 0)}`;
+    return to === null ? t`beyond ${length(from)}` : t`from ${length(from)} to ${length(to)}`;
+  });
+  const more = words.length - MOST_NAMED;
+  const named = more > 0 ? [...words.slice(0, MOST_NAMED), counted(more, '{0} more', '{0} more')] : words;
+  return t`Left out, since they are curved: the strips ${enumerated(named)}. A smaller spacing makes flatter ones.`;
 }
 
 function cells(tag: 'th' | 'td', words: readonly Words[]): HTMLElement {

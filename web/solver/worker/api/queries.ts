@@ -11,6 +11,7 @@ import type {
   IsolineWish,
   Leg,
   MeshPoint,
+  SavedCurves,
   SurfaceLeg,
 } from '../../../protocol';
 import type { LengthUnit } from '../../../length';
@@ -139,7 +140,7 @@ export async function isolines(wish: IsolineWish): Promise<Isolines> {
 }
 
 /** A file of isolines of the last field. */
-export async function curveFile(wish: IsolineWish, file: CurveFile): Promise<Bytes> {
+export async function curveFile(wish: IsolineWish, file: CurveFile): Promise<SavedCurves> {
   return (await curves()).curveFile(openSurface(), wish, file, openMesh().shownAs);
 }
 
