@@ -278,6 +278,15 @@ export interface CurveFile {
   unit: LengthUnit;
 }
 
+/** A plane, in the unit and the axes of the file: where a point times `normal`, which has length 1, is `offset`. */
+export interface Plane {
+  normal: readonly [number, number, number];
+  offset: ModelLength;
+}
+
+/** A file of the curves in which a plane cuts the surface. */
+export type GirthFile = Exclude<CurveFile['kind'], `${string}.${string}` | 'svg' | 'pdf'>;
+
 /** Such a file. */
 export interface SavedCurves {
   bytes: Uint8Array<ArrayBuffer>;

@@ -144,6 +144,13 @@ async function allLengths(heatwalk: HeatwalkPage, symbol: string): Promise<Recor
   const tapes = columnsOf((await saved(page, 'Save CSV')).toString());
   found['tape in CSV'] = scaled([tapes['surface'][0], tapes['straight'][0], tapes['cost'][0]], shown);
 
+  const girth = await openSection(page, 'girth');
+  await girth.getByText('Measure the girth').click();
+  const around = page.locator('.girth-label');
+  await expect(around).toHaveText(/\d/);
+  found['girth'] = lengthIn(await around.textContent(), symbol);
+  await girth.getByText('Measure the girth').click();
+
   const section = await openSection(page, 'export');
   const wish = section.getByLabel(symbol ? `Isolines at (${symbol})` : 'Isolines at', { exact: true });
   found['isolines'] = scaled((await wish.inputValue()).split(',').map(Number), shown);
@@ -242,6 +249,7 @@ const EXPECTED: Readonly<Record<string, number | readonly number[]>> = {
   'corner to corner': DIAGONAL,
   offset: OFFSET,
   tape: 100,
+  girth: 2 * (SIDES[0] + SIDES[1]),
   'tape in CSV': [100, 100, 100],
   isolines: ISOLINES,
   row: [ISOLINES[0], LENGTH],

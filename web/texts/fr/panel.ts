@@ -147,6 +147,23 @@ export const PANEL: Texts = {
   'GLB with the stripes': 'GLB avec les bandes',
   'The stripes are on the colors of the style, without the materials of the file.':
     'Les bandes sont sur les couleurs du style, sans les matériaux du fichier.',
+  Girth: 'Tour',
+  'Position of the girth': 'Position du tour',
+  'Measure the girth': 'Mesurer le tour',
+  'Cuts the surface by a plane and measures the curves of the cut':
+    'Coupe la surface par un plan et mesure les courbes de la coupe',
+  'Makes the plane level': 'Met le plan à l’horizontale',
+  Level: 'Horizontal',
+  'Turns the plane towards the camera': 'Tourne le plan vers la caméra',
+  'Across the view': 'En travers de la vue',
+  'Girth file': 'Fichier du tour',
+  'Saves all curves of the cut': 'Enregistre toutes les courbes de la coupe',
+  'Save girth': 'Enregistrer le tour',
+  'The plane cuts nothing. Move it.': 'Le plan ne coupe rien. Déplacez-le.',
+  'Girth: {0}.': 'Tour : {0}.',
+  'Girth: {0}, of an open curve.': 'Tour : {0}, d’une courbe ouverte.',
+  '{0} curve, {1} in all.': '{0} courbe, {1} en tout.',
+  '{0} curves, {1} in all; the longest is the girth.': '{0} courbes, {1} en tout ; la plus longue est le tour.',
   'Command line': 'Ligne de commande',
   'There are no distances yet. Click the surface to place a source.':
     'Il n’y a pas encore de distances. Cliquez sur la surface pour placer une source.',

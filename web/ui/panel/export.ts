@@ -151,8 +151,8 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
       throw new Failure(
         t('A PDF is at true scale, and nothing says what the lengths are in. Choose it by "Correct unit".'),
       );
-    const file = { kind, towardEye: towardEye(session.view.camera), unit };
-    const { bytes, leftOut } = await measured(session).queries.curveFile(wish(), file);
+    const wanted = { kind, towardEye: towardEye(session.view.camera), unit };
+    const { bytes, leftOut } = await measured(session).queries.curveFile(wish(), wanted);
     save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.isolines.${kind}`);
     return leftOut.length > 0 ? leftOutWords(session, leftOut, unit) : undefined;
   };
