@@ -120,6 +120,7 @@ test('every change survives the link', () => {
     lights: 'file',
     animation: { clip: 2, seconds: 1.25, plays: true, speed: 0.5, loops: false, live: true },
     colorBy: 'heat',
+    orthographic: true,
     hidden: [1, 3],
     overlays: ['scenery', 'boundary', 'distance'],
     crowd: 250,

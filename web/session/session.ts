@@ -535,6 +535,7 @@ export class Session {
 /** What the solver is asked about, as text. */
 function asText({
   camera: _camera,
+  orthographic: _orthographic,
   style: _style,
   hidden: _hidden,
   selected: _selected,

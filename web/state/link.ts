@@ -113,6 +113,7 @@ const OPENING = [
 const LOOK = [
   whole('hide', 'hidden', INDICES),
   whole('cam', 'camera', CAMERA),
+  whole('ortho', 'orthographic', FLAG),
   part('clip', 'animation', 'clip', or('none', null, COUNT)),
   part('time', 'animation', 'seconds', within([0, LONGEST_CLIP_SECONDS])),
   part('play', 'animation', 'plays', FLAG),

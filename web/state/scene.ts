@@ -94,6 +94,8 @@ export interface SceneState extends Settings, Units {
   fill: number | null;
   /** As `Viewer.camera` gives it; null until the user has moved it. */
   camera: readonly number[] | null;
+  /** Whether lines of sight are parallel; else in perspective. */
+  orthographic: boolean;
   animation: Animation;
   /** Indices of the parts that are hidden; active parts are always shown. */
   hidden: readonly number[];
@@ -161,6 +163,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     pathKind: PATH_KIND.default,
     refine: true,
     camera: null,
+    orthographic: false,
     lights: 'style',
     animation: STILL,
     style: DEFAULT_STYLE,

@@ -40,6 +40,7 @@ export const ORDER = [
   'crowd',
   'arrows',
   'edges',
+  'lens',
   'spin',
 ] as const;
 export type Layer = (typeof ORDER)[number];

@@ -320,6 +320,11 @@ export class View extends Screen {
   }
 
   /** Turns by itself, in radians a second; 0 stops. */
+  /** Whether lines of sight are parallel. */
+  set orthographic(isOrthographic: boolean) {
+    this.#show('lens', (viewer) => viewer.set_orthographic(isOrthographic));
+  }
+
   set spin(spin: number) {
     this.#show('spin', (viewer) => viewer.set_spin(spin));
   }

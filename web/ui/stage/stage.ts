@@ -81,7 +81,7 @@ export class Stage {
 
   /** Opens the menu of views at its button, or closes it. */
   readonly menu = (button: HTMLElement): void => {
-    this.#views(({ toggleMenu }) => toggleMenu(button, this.show));
+    this.#views(({ toggleMenu }) => toggleMenu(button, this.#session, this.show));
   };
 
   #views(use: (views: typeof import('./views')) => void | Promise<void>): void {
