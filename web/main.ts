@@ -28,7 +28,7 @@ import { followLaunches } from './ui/input/launch';
 import { followPaste } from './ui/input/paste';
 import { announcer } from './ui/overlay/announcer';
 import { LineCorners } from './ui/input/corners';
-import { CutHandle, cutOf } from './ui/overlay/cut';
+import { CutHandle, cutOf } from './ui/cut';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
 import { hints } from './ui/overlay/hints';
@@ -178,7 +178,8 @@ if (!address.kiosk) {
     chooseFolder: folders.choose,
     link: () => address.link(),
     frames,
-    over,
+    legend: over.legend,
+    girth: async () => (await over.girth()).section,
   };
   panel = workspacePanel(parts, workspace, first.promise);
   page.append(panel.element);

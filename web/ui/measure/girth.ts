@@ -12,7 +12,7 @@ import { counted, sentences, t, type Words } from '../../texts';
 import { save } from '../../view/picture';
 import type { PlaneContext } from '../../view/view';
 import { attribute, h, say, select, slider, toggle } from '../dom';
-import { CutHandle } from '../overlay/cut';
+import { CutHandle } from '../cut';
 import { printLabel } from '../print';
 import { fileNameOf, percent } from '../words';
 

@@ -9,7 +9,6 @@ import type { Workspace } from '../../state/workspace';
 import { animationSection } from './animation';
 import { chartsSection } from './charts';
 import type { CompareSection } from './compare';
-import type { Stage } from '../stage/stage';
 import type { MeasureSection } from './measure';
 import { buildPanel, type Panel, type WorkspaceContent } from './panel';
 import { sceneSection } from './scene';
@@ -27,12 +26,16 @@ interface Parts {
   chooseFolder: (() => void) | null;
   link: () => string;
   frames: Frames;
-  over: Stage;
+  /** Whether there is a legend. */
+  legend: Signal<boolean>;
+  /** The settings of the girth. */
+  girth: () => Promise<HTMLElement>;
 }
 
 /** `drawn`: the first picture, after which all is loaded. */
 export function workspacePanel(parts: Parts, open: Signal<Workspace>, drawn: Promise<void>): Panel {
-  const { session, opener, ground, tool, measuring, comparing, chooseFile, chooseFolder, link, frames, over } = parts;
+  const { session, opener, ground, tool, measuring, comparing, chooseFile, chooseFolder, link, frames, legend, girth } =
+    parts;
   const contents: Record<Workspace, WorkspaceContent> = {
     scene: {
       name: t('Scene'),
@@ -62,7 +65,7 @@ export function workspacePanel(parts: Parts, open: Signal<Workspace>, drawn: Pro
           id: 'display',
           formerId: 'show',
           title: t('Display'),
-          element: async () => (await import('./display')).displaySection(session, over.legend),
+          element: async () => (await import('./display')).displaySection(session, legend),
           open: true,
         },
       ],
@@ -72,7 +75,7 @@ export function workspacePanel(parts: Parts, open: Signal<Workspace>, drawn: Pro
       icon: 'M3 13.500L13.500 3l3.500 3.500L6.500 17zM6 10.500l1.500 1.500M8.500 8l2 2M11 5.500l1.500 1.500',
       sections: [
         { id: 'measure', title: t('Measure'), element: measuring.element, open: true },
-        { id: 'girth', title: t('Girth'), element: async () => (await over.girth()).section, open: true },
+        { id: 'girth', title: t('Girth'), element: girth, open: true },
       ],
     },
     ground: {

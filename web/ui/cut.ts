@@ -1,12 +1,12 @@
 /** The handle in the middle of a plane that cuts: dragged, or moved by arrow keys, it takes the cut along. */
-import type { Session } from '../../session/session';
-import { lookInto } from '../../state/edit';
-import { type CutPlane, directionOf, INSIDE_RANGES, middleOf, reachOf } from '../../state/inside';
-import { moved } from '../../state/vector';
-import { attribute, h, icon } from '../dom';
-import { arrowOf, draggable, hasModifier, keyGesture } from '../gesture';
-import { percent } from '../words';
-import { t, type Words } from '../../texts';
+import type { Session } from '../session/session';
+import { lookInto } from '../state/edit';
+import { type CutPlane, directionOf, INSIDE_RANGES, middleOf, reachOf } from '../state/inside';
+import { moved } from '../state/vector';
+import { attribute, h, icon } from './dom';
+import { arrowOf, draggable, hasModifier, keyGesture } from './gesture';
+import { percent } from './words';
+import { t, type Words } from '../texts';
 
 const ARROWS = 'M3 10h14M6 7l-3 3 3 3M14 7l3 3-3 3';
 
