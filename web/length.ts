@@ -89,9 +89,14 @@ export function isKnown({ symbol }: LengthUnit): boolean {
   return symbol in MICROMETERS;
 }
 
-/** The unit of a file that is saved: glTF has meters, all others have the one that is shown. */
+/** Kinds of files of drawings, which programs that cut and print take for millimeters. */
+const DRAWINGS: ReadonlySet<string> = new Set(['svg', 'dxf', 'pdf']);
+
+/** The unit of a file that is saved: glTF has meters, drawings have millimeters, all others have the one that is shown. */
 export function unitOfFile(kind: string, unit: LengthUnit): LengthUnit {
-  return kind === 'glb' ? inUnit(unit, 'm') : unit;
+  const format = kind.slice(kind.lastIndexOf('.') + 1);
+  if (format === 'glb') return inUnit(unit, 'm');
+  return DRAWINGS.has(format) ? inUnit(unit, 'mm') : unit;
 }
 
 /** Whether lengths are shown in the same unit. */

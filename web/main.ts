@@ -27,7 +27,7 @@ import { followLaunches } from './ui/input/launch';
 import { followPaste } from './ui/input/paste';
 import { announcer } from './ui/overlay/announcer';
 import { LineCorners } from './ui/input/corners';
-import { CutHandle } from './ui/overlay/cut';
+import { CutHandle, cutOf } from './ui/cut';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
 import { hints } from './ui/overlay/hints';
@@ -73,7 +73,7 @@ const { workspace } = address;
 const hint = hints(session);
 const overlays = new Overlays(session);
 const crowd = new CrowdWalk(session);
-const handle = new CutHandle(session);
+const handle = new CutHandle(session, cutOf(session));
 const measure = new MeasureInput(session, tool);
 const measuring = new MeasureSection(session, measure, tool);
 const comparing = new CompareSection(session);
@@ -179,6 +179,7 @@ if (!address.kiosk) {
     link: () => address.link(),
     frames,
     legend: over.legend,
+    girth: async () => (await over.girth()).section,
   };
   panel = workspacePanel(parts, workspace, first.promise);
   page.append(panel.element);
@@ -224,6 +225,7 @@ expose(
     await measuring.settled();
     await comparing.settled();
     await over.load();
+    await over.settled();
   },
   () => measuring.figures,
   () => import('./ui/control/script').then(({ scriptOf }) => (script ??= scriptOf(host, window.heatwalk))),

@@ -262,10 +262,36 @@ export interface Isolines {
 
 /** A file of isolines, of strips between them, or of these in the plane; of curves as they are seen in an SVG, whence. */
 export interface CurveFile {
-  kind: 'obj' | 'dxf' | 'svg' | 'csv' | 'glb' | 'strips.obj' | 'unrolled.svg' | 'unrolled.dxf';
+  kind:
+    | 'obj'
+    | 'dxf'
+    | 'svg'
+    | 'pdf'
+    | 'csv'
+    | 'glb'
+    | 'strips.obj'
+    | 'unrolled.svg'
+    | 'unrolled.dxf'
+    | 'unrolled.pdf';
   towardEye: readonly [number, number, number];
   /** That of all lengths in it. */
   unit: LengthUnit;
+}
+
+/** A plane, in the unit and the axes of the file: where a point times `normal`, which has length 1, is `offset`. */
+export interface Plane {
+  normal: readonly [number, number, number];
+  offset: ModelLength;
+}
+
+/** A file of the curves in which a plane cuts the surface. */
+export type GirthFile = Exclude<CurveFile['kind'], `${string}.${string}` | 'svg' | 'pdf'>;
+
+/** Such a file. */
+export interface SavedCurves {
+  bytes: Uint8Array<ArrayBuffer>;
+  /** Of strips that are not in it since they are curved, the distances that each lies between, in the file's unit; none for no bound. */
+  leftOut: readonly (readonly [from: number | null, to: number | null])[];
 }
 
 /** A file with a distance for each vertex of the input; `weights.ply` has them as vertex colors. */

@@ -3,7 +3,7 @@ import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { complaints } from '../gltf';
-import { expect, openSection, test } from '../page';
+import { crossings, expect, openSection, test } from '../page';
 import { texturedGlb } from '../textured';
 
 async function saved(page: Page, button: string): Promise<{ name: string; bytes: Buffer }> {
@@ -57,6 +57,11 @@ test('isolines are drawn, measured and saved, and distances with the materials o
   await curves.selectOption('unrolled.svg');
   await page.getByRole('button', { name: 'Save isolines' }).click();
   await expect(section.getByRole('status')).toContainText('cannot be unrolled');
+  // Flat are only those that are narrower than triangles.
+  await page.getByLabel('Isolines at').fill('0.5, 0.501, 1');
+  const sheet = await saved(page, 'Save isolines');
+  expect(sheet.bytes.toString()).toMatch(/^<svg[^>]*>\n<g[^>]*>\n<path class="strip_1_0.5_to_0.501"/);
+  await expect(section.getByRole('status')).toContainText('the strips below 0.5');
 
   await distances.selectOption('npy');
   const { bytes } = await saved(page, 'Save distances');
@@ -85,6 +90,32 @@ test('isolines are drawn, measured and saved, and distances with the materials o
     undefined,
   ]);
   expect(images).toHaveLength(2);
+});
+
+test('a GLB with the stripes shows them where it is opened again', async ({ heatwalk, page }) => {
+  await heatwalk.withoutLegend();
+  const view = 'cam=0.4,0.9,3,0,0,0&s=7264&w=none&show=scenery';
+  await heatwalk.open(`#m=torus&look=zebra&${view}`);
+  const [x, y] = await heatwalk.page.evaluate(() => window.heatwalk.centre);
+  const before = crossings(await heatwalk.picture(), x, 0, 2 * y);
+  expect(before).toBeGreaterThan(8);
+  await heatwalk.closeSummary();
+  const section = await openSection(page, 'export');
+  await section.getByRole('combobox', { name: 'Distances', exact: true }).selectOption('stripes.glb');
+  const { name, bytes } = await saved(page, 'Save distances');
+  expect(name).toBe('torus.stripes.glb');
+  expect(await complaints(bytes)).toEqual([]);
+  await heatwalk.open(`#v=1&m=file&name=again.glb&look=model&style=none&${view}`);
+  await heatwalk.dropAndOpen([['again.glb', bytes]]);
+  expect(crossings(await heatwalk.picture(), x, 0, 2 * y)).toBe(before);
+
+  // Materials of a file have a texture of their own.
+  await heatwalk.dropAndOpen([['textured.glb', texturedGlb()]]);
+  await heatwalk.settled();
+  await openSection(page, 'export');
+  await section.getByRole('combobox', { name: 'Distances', exact: true }).selectOption('stripes.glb');
+  expect(await complaints((await saved(page, 'Save distances')).bytes)).toEqual([]);
+  await expect(section.getByRole('status')).toHaveText(/without the materials of the file/);
 });
 
 test('tracks of the crowd lead down to a source', async ({ heatwalk, page }) => {

@@ -3,7 +3,7 @@ import fs from 'node:fs';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { grid, off } from '../fixtures';
-import { expect, openSection, test } from '../page';
+import { expect, openSection, test, difference } from '../page';
 
 test.use({ deviceScaleFactor: 1, viewport: { width: 1400, height: 900 } });
 
@@ -211,6 +211,25 @@ test('views are chosen by a menu, by mouse and keyboard, and by keys', async ({ 
     const [x, y] = await heatwalk.pixelOf({ vertex });
     expect(x > 0 && x < (box?.width ?? 0) && y > 0 && y < (box?.height ?? 0)).toBe(true);
   }
+  // Parallel lines of sight: what is picked there is what is drawn there, at other pixels than in perspective.
+  const perspective = await heatwalk.picture();
+  await page.keyboard.press('v');
+  await expect.poll(() => page.url()).toContain('&ortho=1');
+  const parallel = await heatwalk.picture();
+  expect(difference(perspective, parallel)).toBeGreaterThan(0.01);
+  const [x, y] = await heatwalk.page.evaluate(() => window.heatwalk.centre);
+  const place = await page.evaluate(([right, down]) => window.heatwalk.placeAt(right, down), [x + 30, y + 40] as const);
+  if (!place) throw new Error('the model is not there');
+  const [right, down] = await heatwalk.pixelOf(place);
+  expect(Math.hypot(right - x - 30, down - y - 40)).toBeLessThan(0.5);
+  await button.click();
+  await expect(menu.getByRole('menuitemcheckbox', { name: 'Orthographic' })).toHaveAttribute('aria-checked', 'true');
+  await menu.getByRole('menuitemcheckbox').click();
+  await expect.poll(() => page.url()).not.toContain('ortho');
+  expect(difference(perspective, await heatwalk.picture())).toBeLessThan(0.002);
+  await heatwalk.open('#v=1&m=bunny&cam=0,0,4,0,0,0&ortho=1');
+  expect(await page.evaluate(() => window.heatwalk.scene.orthographic)).toBe(true);
+
   await page.keyboard.press('x');
   await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(true);
   await page.keyboard.press('x');

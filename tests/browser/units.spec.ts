@@ -144,6 +144,13 @@ async function allLengths(heatwalk: HeatwalkPage, symbol: string): Promise<Recor
   const tapes = columnsOf((await saved(page, 'Save CSV')).toString());
   found['tape in CSV'] = scaled([tapes['surface'][0], tapes['straight'][0], tapes['cost'][0]], shown);
 
+  const girth = await openSection(page, 'girth');
+  await girth.getByText('Measure the girth').click();
+  const around = page.locator('.girth-label');
+  await expect(around).toHaveText(/\d/);
+  found['girth'] = lengthIn(await around.textContent(), symbol);
+  await girth.getByText('Measure the girth').click();
+
   const section = await openSection(page, 'export');
   const wish = section.getByLabel(symbol ? `Isolines at (${symbol})` : 'Isolines at', { exact: true });
   found['isolines'] = scaled((await wish.inputValue()).split(',').map(Number), shown);
@@ -177,9 +184,24 @@ async function allLengths(heatwalk: HeatwalkPage, symbol: string): Promise<Recor
   const svg = (await file('File', 'svg', 'Save isolines')).toString();
   const [, across = '', suffix = '', wide = ''] = /width="([\d.]+)(mm)?" .*viewBox="0 0 ([\d.]+)/.exec(svg) ?? [];
   expect(suffix).toBe(symbol && 'mm');
-  expect(Number(wide)).toBeCloseTo(1000, 6);
+  // Millimeters are its units, where they are known.
+  expect(Number(wide)).toBeCloseTo(symbol ? Number(across) : 1000, 6);
+  expect(code).toBe(symbol && '4');
   // Without a unit it has no scale, and as many pixels.
   found['curves, SVG'] = suffix ? Number(across) : (Number(across) / 1000) * 1.06 * SIDES[0];
+
+  if (symbol) {
+    const pdf = (await file('File', 'pdf', 'Save isolines')).toString('latin1');
+    const [, points = ''] = /\/MediaBox \[0 0 ([\d.]+) /.exec(pdf) ?? [];
+    expect(pdf).toContain('(100 mm     1 : 1) Tj');
+    // Without the margins of the page.
+    found['curves, PDF'] = (Number(points) / 72) * 25.4 - 20;
+  } else {
+    await section.getByRole('combobox', { name: 'File', exact: true }).selectOption('pdf');
+    await page.getByRole('button', { name: 'Save isolines' }).click();
+    await expect(section.getByRole('status')).toContainText('nothing says what the lengths are in');
+    found['curves, PDF'] = 1.06 * SIDES[0];
+  }
 
   const csv = columnsOf((await file('Distances', 'csv', 'Save distances')).toString());
   found['distance, CSV'] = csv['distance'][FAR];
@@ -194,6 +216,7 @@ async function allLengths(heatwalk: HeatwalkPage, symbol: string): Promise<Recor
   found['PLY'] = boundsOf(PLACES.map((_, vertex) => row(vertex)));
   found['distance, PLY'] = row(FAR)[3];
   found['GLB'] = extentOfGlb(await file('Distances', 'glb', 'Save distances'), symbol);
+  found['GLB with the stripes'] = extentOfGlb(await file('Distances', 'stripes.glb', 'Save distances'), symbol);
 
   const path = columnsOf((await file('Path', 'csv', 'Save path')).toString());
   found['path, CSV'] = path['length'].at(-1) ?? NaN;
@@ -226,6 +249,7 @@ const EXPECTED: Readonly<Record<string, number | readonly number[]>> = {
   'corner to corner': DIAGONAL,
   offset: OFFSET,
   tape: 100,
+  girth: 2 * (SIDES[0] + SIDES[1]),
   'tape in CSV': [100, 100, 100],
   isolines: ISOLINES,
   row: [ISOLINES[0], LENGTH],
@@ -238,11 +262,13 @@ const EXPECTED: Readonly<Record<string, number | readonly number[]>> = {
   'curves, GLB': EXTENT,
   // What is seen, and the margins on both sides.
   'curves, SVG': 1.06 * SIDES[0],
+  'curves, PDF': 1.06 * SIDES[0],
   'distance, CSV': OFFSET + PATH,
   'distance, NumPy': OFFSET + PATH,
   PLY: SIDES,
   'distance, PLY': OFFSET + PATH,
   GLB: SIDES,
+  'GLB with the stripes': SIDES,
   'path, CSV': PATH,
   'path, OBJ': SIDES,
   'path, GLB': SIDES,

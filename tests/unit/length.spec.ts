@@ -94,6 +94,9 @@ test('each unit converts to each other one and back, and what is assumed stays s
   expect(inUnit({ ...MODEL, symbol: 'in' }, 'mm').scale).toBe(25.4);
   expect(inUnit({ ...MODEL, symbol: 'µm' }, 'mm').scale).toBe(0.001);
   expect(unitOfFile('glb', MODEL)).toEqual(MODEL);
+  const inches: LengthUnit = { symbol: 'in', assumed: false, scale: 1 };
+  const kinds = ['svg', 'unrolled.dxf', 'unrolled.pdf', 'stripes.glb', 'strips.obj', 'csv'];
+  expect(kinds.map((kind) => unitOfFile(kind, inches).symbol)).toEqual(['mm', 'mm', 'mm', 'm', 'in', 'in']);
   expect(unitOf(units({ shownUnit: 'in' }), { unit: 'mm', unitAssumed: true })).toMatchObject({ assumed: true });
 });
 

@@ -70,6 +70,7 @@ test('every change survives the link', () => {
       { tetrahedron: 6, weights: [0.125, 0.25, 0.5, 0.125] },
     ],
     walker: { vertex: 5521 },
+    girth: { turn: -30, tilt: 12.5, place: 0.25 },
     up: '-x',
     unit: 'mm',
     shownUnit: 'in',
@@ -119,6 +120,7 @@ test('every change survives the link', () => {
     lights: 'file',
     animation: { clip: 2, seconds: 1.25, plays: true, speed: 0.5, loops: false, live: true },
     colorBy: 'heat',
+    orthographic: true,
     hidden: [1, 3],
     overlays: ['scenery', 'boundary', 'distance'],
     crowd: 250,
@@ -139,7 +141,7 @@ test('every change survives the link', () => {
   };
   expect(throughLink(state)).toEqual(state);
   expect(encodeLink(state, START)).toContain(
-    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22,6:0.125/0.25/0.5/0.125&w=5521&up=-x&unit=mm&shown=in&cut=wedge&turn=-120&tilt=12.5&place=-0.25&opening=60&gap=0.5&spacing=0.1&whole=1&arrows=1&method=exact&windows=8&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg&refine=0' +
+    's=1203,88:0.2/0.3/0.5@0.125,4@1.5e-7,5@2e22,6:0.125/0.25/0.5/0.125&w=5521&up=-x&unit=mm&shown=in&girth=-30,12.5,0.25&cut=wedge&turn=-120&tilt=12.5&place=-0.25&opening=60&gap=0.5&spacing=0.1&whole=1&arrows=1&method=exact&windows=8&t=2.5&b=average&multi=summed&near=12.5&memory=500&op=plain&solver=cg&refine=0' +
       '&bridge=0.0125&links=3&way=descent&vs=method:heat,windows:1,t:auto,b:dirichlet,multi:exact,near:auto,memory:auto,op:relocate,solver:cholesky,refine:1,at:0.375',
   );
 });

@@ -2,6 +2,7 @@
 import type { DrawTransform, DrawPath, Tracks } from '../protocol';
 import { headOf, type LengthUnit, unitOfFile } from '../length';
 import { type Vector, distance, scaled, vectorAt, vectorsIn } from '../state/vector';
+import { GlbFile, LINES } from './glb';
 import { filePlace } from './nearest';
 
 /** Kinds of files of a path. */
@@ -77,44 +78,15 @@ function linesObj(name: string, lines: readonly (readonly Vector[])[], { symbol 
   return [...comments, ...vertices, ...elements, ''].join('\n');
 }
 
-/** Of glTF 2.0: a primitive that is pairs of vertices, numbers in single precision, a buffer of vertices. */
-const [LINES, FLOAT, ARRAY_BUFFER] = [1, 5126, 34962];
-/** Of its binary form: the file, its chunks, and the four characters that JSON is filled up with. */
-const [GLTF, VERSION, JSON_CHUNK, BIN_CHUNK, SPACE] = [0x46546c67, 2, 0x4e4f534a, 0x004e4942, 0x20];
-
 /** Segments of each line from its first point to its last (glTF 2.0, 3.7.2 and 4.4); line strips are not read by every program. */
 function linesGlb(name: string, lines: readonly (readonly Vector[])[]): Uint8Array<ArrayBuffer> {
   const ends = lines.flatMap((points) =>
     points.slice(0, Math.max(1, points.length - 1)).flatMap((start, index) => [start, points[index + 1] ?? start]),
   );
-  const positions = Float32Array.from(ends.flat());
-  const along = [0, 1, 2].map((axis) => positions.filter((_, index) => index % 3 === axis));
-  const accessor = {
-    bufferView: 0,
-    componentType: FLOAT,
-    count: ends.length,
-    type: 'VEC3',
-    min: along.map((values) => values.reduce((one, other) => Math.min(one, other), Infinity)),
-    max: along.map((values) => values.reduce((one, other) => Math.max(one, other), -Infinity)),
-  };
-  const root = {
-    asset: { version: '2.0', generator: 'Heatwalk' },
-    scene: 0,
-    scenes: [{ nodes: [0] }],
+  const file = new GlbFile();
+  const position = file.vertices(Float32Array.from(ends.flat()), 'VEC3');
+  return file.finish({
     nodes: [{ name, mesh: 0 }],
-    meshes: [{ primitives: [{ mode: LINES, attributes: { POSITION: 0 } }] }],
-    accessors: [accessor],
-    bufferViews: [{ buffer: 0, byteLength: positions.byteLength, target: ARRAY_BUFFER }],
-    buffers: [{ byteLength: positions.byteLength }],
-  };
-  const text = new TextEncoder().encode(JSON.stringify(root));
-  const described = 4 * Math.ceil(text.length / 4);
-  const bytes = new Uint8Array(12 + 8 + described + 8 + positions.byteLength);
-  const header = new DataView(bytes.buffer);
-  const put = (at: number, ...words: number[]) => words.forEach((word, i) => header.setUint32(at + 4 * i, word, true));
-  put(0, GLTF, VERSION, bytes.length, described, JSON_CHUNK);
-  bytes.fill(SPACE, 20, 20 + described).set(text, 20);
-  put(20 + described, positions.byteLength, BIN_CHUNK);
-  bytes.set(new Uint8Array(positions.buffer), 28 + described);
-  return bytes;
+    meshes: [{ primitives: [{ mode: LINES, attributes: { POSITION: position } }] }],
+  });
 }

@@ -4,13 +4,14 @@ import { isPainted, isWeighted } from '../state/ground';
 import { innerCutOf } from '../state/inside';
 import type { Scene } from '../state/history';
 import { type SceneState, visible } from '../state/scene';
-import { telling } from '../state/styles';
+import { type Style, telling } from '../state/styles';
 import { reducedMotion } from '../view/motion';
 import type { ShownField } from '../view/layers';
 import type { View } from '../view/view';
 import { Walk } from '../view/walk';
 import { curvesOf } from './curves';
 import type { OpenRequest, Shown } from './prepare';
+import type { Painted } from './stripes';
 import { costAlong, tintsOf, wallsOf } from './tints';
 
 /** A pose that is shown for longer is one to rest in. */
@@ -33,6 +34,8 @@ export class Presenter {
   #field: DistanceField | null = null;
   /** What the period of the style is a share of: for distance, the diameter. */
   #whole = 1;
+  /** What is painted: that field, or another one. */
+  #painted: ShownField | null = null;
   /** Whether another field than that of distance is painted. */
   #isOther = false;
   /** The pose that the mesh is shown in; null: that of its file. */
@@ -128,13 +131,28 @@ export class Presenter {
 
   /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
   paint(instead: { field: ShownField; whole: number } | null): void {
-    this.#view.setField(instead?.field ?? this.#field);
+    this.#painted = instead?.field ?? this.#field;
+    this.#view.setField(this.#painted);
     const whole = instead?.whole ?? this.#wholeOfDistance();
     const isOther = instead !== null;
     if (whole !== this.#whole || isOther !== this.#isOther) {
       [this.#whole, this.#isOther] = [whole, isOther];
       this.#showStyle();
     }
+  }
+
+  /** The surface as it is painted; null without a field. */
+  get painted(): Painted | null {
+    const surface = this.#shown?.opened.surface;
+    if (!surface || !this.#painted) return null;
+    const { positions, normals } = this.#posed?.surface ?? surface;
+    const { triangles } = surface;
+    return { positions, normals, triangles, field: this.#painted, style: this.#styleNow(), ...this.#view.painted };
+  }
+
+  #styleNow(): Style {
+    const { style } = this.#state;
+    return this.#isOther ? telling(style) : style;
   }
 
   /**
@@ -172,6 +190,7 @@ export class Presenter {
   #showMesh({ surface, shade, scenery, appearance, lights }: OpenedMesh, state: SceneState): void {
     this.#view.setMesh(surface, shade, meshesOf(visible(scenery, state)), appearance);
     this.#showLights(lights, state);
+    this.#view.orthographic = state.orthographic;
   }
 
   #showLights(ofFile: Float32Array, { lights }: SceneState): void {
@@ -223,6 +242,7 @@ export class Presenter {
     this.#state = state;
     if (!this.#shown || state === previous) return;
     if (state.style !== previous.style) this.#showStyle();
+    if (state.orthographic !== previous.orthographic) this.#view.orthographic = state.orthographic;
     if (state.lights !== previous.lights) this.#showLights(this.#shown.opened.lights, state);
     if (state.ground !== previous.ground) this.#showGround(this.#shown, state, isPainted(previous.ground));
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();
@@ -247,9 +267,8 @@ export class Presenter {
   }
 
   #showStyle(): void {
-    const { style } = this.#state;
-    this.#view.setStyle(this.#isOther ? telling(style) : style, this.#whole, this.#facing);
-    if (style.flow === 0) this.#flow = 0;
+    this.#view.setStyle(this.#styleNow(), this.#whole, this.#facing);
+    if (this.#state.style.flow === 0) this.#flow = 0;
     this.#showOffset();
   }
 

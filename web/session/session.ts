@@ -212,6 +212,11 @@ export class Session {
     this.#presenter.paint(instead);
   }
 
+  /** The surface as it is painted; null without a field. */
+  get painted(): Presenter['painted'] {
+    return this.#presenter.painted;
+  }
+
   /** Takes what moves by itself further. */
   animate(seconds: number): void {
     if (!this.paused.value) this.animator.advance(seconds);
@@ -530,6 +535,7 @@ export class Session {
 /** What the solver is asked about, as text. */
 function asText({
   camera: _camera,
+  orthographic: _orthographic,
   style: _style,
   hidden: _hidden,
   selected: _selected,

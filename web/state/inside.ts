@@ -89,10 +89,13 @@ export function anglesOf([x, y, z]: Vector): Pick<Inside, 'turn' | 'tilt'> {
   return { turn: degrees(Math.atan2(x, z)), tilt: degrees(Math.asin(y / length)) };
 }
 
+/** Where a plane is: its direction, and its place along that. */
+export type CutPlane = Pick<Inside, 'turn' | 'tilt' | 'place'>;
+
 /** The middle of the plane, or of the edge of the wedge. */
-export function middleOf(inside: Inside, box: Box): Vector {
-  const direction = directionOf(inside);
-  const away = inside.place * reachOf(direction, box);
+export function middleOf(plane: CutPlane, box: Box): Vector {
+  const direction = directionOf(plane);
+  const away = plane.place * reachOf(direction, box);
   return moved(between(...box, 0.5), direction, away);
 }
 

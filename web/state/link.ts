@@ -3,6 +3,7 @@ import { PATH_KIND, UP, VERTEX_FIELD } from '../wasm/contract';
 import { addressIn } from '../files/address';
 import { decodeCompared, encodeCompared } from './compared';
 import { COSTS, decodeGround, encodeGround } from './ground';
+import { GIRTH } from './girth';
 import { CUTS, FILLS, INSIDE_NUMBERS, INSIDE_RANGES } from './inside';
 import { decodeIsolines, encodeIsolines } from './isolines';
 import { type Key, keysOf, read } from './keys';
@@ -112,6 +113,7 @@ const OPENING = [
 const LOOK = [
   whole('hide', 'hidden', INDICES),
   whole('cam', 'camera', CAMERA),
+  whole('ortho', 'orthographic', FLAG),
   part('clip', 'animation', 'clip', or('none', null, COUNT)),
   part('time', 'animation', 'seconds', within([0, LONGEST_CLIP_SECONDS])),
   part('play', 'animation', 'plays', FLAG),
@@ -130,6 +132,7 @@ const EDITS = [
   whole('scale', 'scale', within(SCALES, amount)),
   whole('shown', 'shownUnit', or('same', null, oneOf(SHOWN_UNITS))),
   whole('tape', 'tapes', TAPES),
+  whole('girth', 'girth', GIRTH),
   whole('ground', 'ground', {
     encode: encodeGround,
     parse: (text, ground) => {

@@ -10,7 +10,7 @@ import {
   type VertexField,
 } from '../wasm/contract';
 import { type Ground, LEVEL } from './ground';
-import { type Inside, WHOLE } from './inside';
+import { type CutPlane, type Inside, WHOLE } from './inside';
 import type { Compared } from './compared';
 import type { Units } from '../length';
 import type { Settings } from './settings';
@@ -94,6 +94,8 @@ export interface SceneState extends Settings, Units {
   fill: number | null;
   /** As `Viewer.camera` gives it; null until the user has moved it. */
   camera: readonly number[] | null;
+  /** Whether lines of sight are parallel; else in perspective. */
+  orthographic: boolean;
   animation: Animation;
   /** Indices of the parts that are hidden; active parts are always shown. */
   hidden: readonly number[];
@@ -108,6 +110,8 @@ export interface SceneState extends Settings, Units {
   up: Up | typeof AUTOMATIC;
   /** What is measured. */
   tapes: readonly Tape[];
+  /** The plane in whose curves the girth is measured; null: it is not. */
+  girth: CutPlane | null;
   /** What it costs to walk where, and walls. */
   ground: Ground;
   /** How the inside of tetrahedra is looked into. */
@@ -147,6 +151,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     scale: 1,
     shownUnit: null,
     tapes: [],
+    girth: null,
     ground: LEVEL,
     inside: WHOLE,
     isolines: null,
@@ -158,6 +163,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     pathKind: PATH_KIND.default,
     refine: true,
     camera: null,
+    orthographic: false,
     lights: 'style',
     animation: STILL,
     style: DEFAULT_STYLE,

@@ -240,6 +240,13 @@ export const STYLES: readonly [Style, ...Style[]] = [
   }),
 ];
 
+/** What light makes of the stripes, by the maps in use. */
+export function stripeFinish({ maps, surface, stripes }: Style): Finish {
+  const { metalness, roughness } = maps.includes('specular') ? stripes : surface;
+  const { glow } = maps.includes('emission') ? stripes : surface;
+  return { metalness, roughness, glow };
+}
+
 export const DEFAULT_STYLE = STYLES[0];
 
 export function findStyle(name: string): Style | undefined {

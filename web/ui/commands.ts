@@ -70,6 +70,7 @@ export function commandsOf(options: CommandsOptions): readonly Command[] {
     command(t('View from the front'), ['8'], () => stage.show('front')),
     command(t('View from the side'), ['9'], () => stage.show('side')),
     command(t('View from above'), ['0'], () => stage.show('top')),
+    command(t('Orthographic or perspective'), ['v'], () => stage.show('parallel')),
     command(t('Full screen'), ['x'], () => stage.show('screen')),
     command(t('Legend on or off'), ['l'], toggle(stage.legend)),
     command(t('Turntable'), ['t'], toggle(session.turntable)),

@@ -14,10 +14,10 @@ export interface Edges {
 
 export const THIN = 1.2;
 
-/** What lines are shown for, in the order in which they are drawn: overlays, walls and sets of sources, the other path, tapes. */
-export const EDGE_GROUPS = ['overlays', 'lines', 'path', 'tapes'] as const;
+/** What lines are shown for, in the order in which they are drawn: overlays, walls and sets of sources, the other path, girths, tapes. */
+export const EDGE_GROUPS = ['overlays', 'lines', 'path', 'girth', 'tapes'] as const;
 export type EdgeGroup = (typeof EDGE_GROUPS)[number];
-export const NO_EDGES: Picture['edges'] = { overlays: [], lines: [], path: [], tapes: [] };
+export const NO_EDGES: Picture['edges'] = { overlays: [], lines: [], path: [], girth: [], tapes: [] };
 
 /** The order in which the parts of a picture must be given: the surface clears what depends on it. */
 export const ORDER = [
@@ -40,6 +40,7 @@ export const ORDER = [
   'crowd',
   'arrows',
   'edges',
+  'lens',
   'spin',
 ] as const;
 export type Layer = (typeof ORDER)[number];

@@ -1,7 +1,15 @@
 /** What is shown on the screen. It is kept, so that a renderer that was lost is made again with the scene intact. */
 import { Failure, toError } from '../error';
 import type { Appearance, DrawMesh, DrawPose, InnerView, MeshPoint, Shade, DrawPath } from '../protocol';
-import { parseColour, rampBytes, WIDEST_LINE, type Finish, type Style, type MapName } from '../state/styles';
+import {
+  parseColour,
+  rampBytes,
+  stripeFinish,
+  WIDEST_LINE,
+  type Finish,
+  type Style,
+  type MapName,
+} from '../state/styles';
 import type { Place } from '../state/places';
 import { type Vector, vectorAt } from '../state/vector';
 import { CROWD_HEIGHT } from '../state/scene';
@@ -231,14 +239,12 @@ export class View extends Screen {
     const period = style.period * whole;
     this.painted = { ...this.painted, period };
     const uses = (map: MapName) => style.maps.includes(map);
-    const { metalness, roughness } = uses('specular') ? style.stripes : style.surface;
-    const { glow } = uses('emission') ? style.stripes : style.surface;
     this.#show('surroundings', (viewer) =>
       viewer.set_environment(style.surroundings, facing + (style.light * Math.PI) / 180),
     );
     this.#show('style', (viewer) => {
       viewer.set_ramps(rampBytes(style));
-      viewer.set_finish(uses('colour') ? 1 : 0, finishOf(style.surface), finishOf({ metalness, roughness, glow }));
+      viewer.set_finish(uses('colour') ? 1 : 0, finishOf(style.surface), finishOf(stripeFinish(style)));
       viewer.set_materials_of_file(style.surfaceOf === 'file', style.blend);
       if (style.pattern === 'none') viewer.set_bands(0, 0, 1, 0);
       else if (style.pattern === 'lines') viewer.set_lines(period, style.width * WIDEST_LINE);
@@ -314,6 +320,11 @@ export class View extends Screen {
   }
 
   /** Turns by itself, in radians a second; 0 stops. */
+  /** Whether lines of sight are parallel. */
+  set orthographic(isOrthographic: boolean) {
+    this.#show('lens', (viewer) => viewer.set_orthographic(isOrthographic));
+  }
+
   set spin(spin: number) {
     this.#show('spin', (viewer) => viewer.set_spin(spin));
   }

@@ -10,7 +10,7 @@ use serde_json::json;
 
 use crate::args;
 use crate::distance::facts;
-use crate::output::{CurveFormat, Output};
+use crate::output::{CurveFormat, Output, SheetFormat};
 use crate::question::{Posed, pose};
 use crate::report::milliseconds;
 use crate::volume;
@@ -41,7 +41,11 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     let isolines = Isolines::trace(&field, &levels);
     let isolines_ms = milliseconds(start);
     if let Some(output) = output {
-        output.save(&bytes(output.format, &isolines, &field, &levels, input.unit.unit, arguments)?)?;
+        let (bytes, left_out) = bytes(output.format, &isolines, &field, &levels, input.unit.unit, arguments)?;
+        output.save(&bytes)?;
+        if arguments.unroll {
+            report.push("left_out", left_out);
+        }
     }
 
     let values = prepared.solver.of_inputs(&answer);
@@ -74,6 +78,7 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     Ok(report.render(question.mesh.json) + &table)
 }
 
+/// The file, and the strips that are left out of it since they are curved.
 fn bytes(
     format: CurveFormat,
     isolines: &Isolines,
@@ -81,24 +86,36 @@ fn bytes(
     levels: &Levels,
     unit: Option<Unit>,
     arguments: &args::Isolines,
-) -> Result<Vec<u8>> {
-    let unrolled = || -> Result<_> {
-        let strips = Strips::cut(field, levels)?;
-        Ok((Sheet::unroll(&strips)?, strips))
+) -> Result<(Vec<u8>, Vec<String>)> {
+    let view = || match write::View::from_direction(field, arguments.view, DVec3::Y) {
+        Some(view) => Ok(view),
+        None => bail!("there is nothing to see from {}", arguments.view),
     };
-    Ok(match format {
+    let known = || match unit {
+        Some(unit) => Ok(unit),
+        None => bail!("a PDF is at true scale, and nothing says what unit the lengths have; choose one by --unit"),
+    };
+    let mut left_out = Vec::new();
+    let bytes = match format {
         CurveFormat::Obj => write::obj(isolines, unit),
         CurveFormat::Dxf => write::dxf(isolines, unit),
         CurveFormat::Csv => write::csv(isolines, unit),
         CurveFormat::Glb => write::glb(isolines),
-        CurveFormat::Svg => match write::View::from_direction(field, arguments.view, DVec3::Y) {
-            Some(view) => write::svg(isolines, field, &view, unit),
-            None => bail!("there is nothing to see from {}", arguments.view),
-        },
+        CurveFormat::Svg => write::svg(isolines, field, &view()?, unit),
+        CurveFormat::Pdf => write::pdf(isolines, field, &view()?, known()?),
         CurveFormat::StripsObj => write::strips_obj(&Strips::cut(field, levels)?, unit),
-        CurveFormat::UnrolledSvg => unrolled().map(|(sheet, strips)| write::sheet_svg(&sheet, &strips, unit))?,
-        CurveFormat::UnrolledDxf => unrolled().map(|(sheet, strips)| write::sheet_dxf(&sheet, &strips, unit))?,
-    })
+        CurveFormat::Unrolled(format) => {
+            let strips = Strips::cut(field, levels)?;
+            let sheet = Sheet::unroll(&strips)?;
+            left_out = sheet.strips_left_out().into_iter().map(|strip| strips.name(strip)).collect();
+            match format {
+                SheetFormat::Svg => write::sheet_svg(&sheet, &strips, unit),
+                SheetFormat::Dxf => write::sheet_dxf(&sheet, &strips, unit),
+                SheetFormat::Pdf => write::sheet_pdf(&sheet, known()?),
+            }
+        }
+    };
+    Ok((bytes, left_out))
 }
 
 /// A line an isoline.

@@ -54,8 +54,15 @@ pub enum CurveFormat {
     Csv,
     Glb,
     StripsObj,
-    UnrolledSvg,
-    UnrolledDxf,
+    Pdf,
+    Unrolled(SheetFormat),
+}
+
+#[derive(Clone, Copy)]
+pub enum SheetFormat {
+    Svg,
+    Dxf,
+    Pdf,
 }
 
 /// Of `--each`, in columns.
@@ -143,13 +150,21 @@ impl Output<CurveFormat> {
     pub fn curves(path: &Path, strips: bool, unrolled: bool) -> Result<Self> {
         let (what, formats): (_, &[_]) = match (strips, unrolled) {
             (true, _) => ("strips", &[("obj", CurveFormat::StripsObj)]),
-            (_, true) => ("unrolled strips", &[("svg", CurveFormat::UnrolledSvg), ("dxf", CurveFormat::UnrolledDxf)]),
+            (_, true) => (
+                "unrolled strips",
+                &[
+                    ("svg", CurveFormat::Unrolled(SheetFormat::Svg)),
+                    ("dxf", CurveFormat::Unrolled(SheetFormat::Dxf)),
+                    ("pdf", CurveFormat::Unrolled(SheetFormat::Pdf)),
+                ],
+            ),
             _ => (
                 "isolines",
                 &[
                     ("obj", CurveFormat::Obj),
                     ("dxf", CurveFormat::Dxf),
                     ("svg", CurveFormat::Svg),
+                    ("pdf", CurveFormat::Pdf),
                     ("csv", CurveFormat::Csv),
                     ("glb", CurveFormat::Glb),
                 ],

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::error::Result;
+use crate::error::{NotDevelopable, Result};
 use crate::strips::Strips;
 use crate::unroll::pieces;
 
@@ -26,21 +26,36 @@ pub struct Sheet {
     pub planes: Vec<Plane>,
     /// Width and height; the sheet begins at 0, 0.
     pub size: DVec2,
+    /// The pieces that have no plane shape.
+    pub left_out: Vec<NotDevelopable>,
 }
 
 impl Sheet {
-    /// Unrolls all pieces of all strips.
+    /// Unrolls the pieces of all strips but those that are curved.
     ///
     /// # Errors
-    /// [`Error::NotDevelopable`](crate::Error::NotDevelopable) for the first that is curved.
+    /// [`Error::NotDevelopable`](crate::Error::NotDevelopable) for the first one where all are.
     pub fn unroll(strips: &Strips) -> Result<Self> {
-        let mut planes = Vec::new();
+        let (mut planes, mut left_out) = (Vec::new(), Vec::new());
         for strip in 0..strips.ranges.len() {
             for piece in pieces(strips, strip) {
-                planes.push(Plane { strip, loops: piece.unroll()? });
+                match piece.unroll() {
+                    Ok(loops) => planes.push(Plane { strip, loops }),
+                    Err(curved) => left_out.push(curved),
+                }
             }
         }
-        Ok(Self::arranged(planes))
+        match left_out.first() {
+            Some(&curved) if planes.is_empty() => Err(curved.into()),
+            _ => Ok(Self { left_out, ..Self::arranged(planes) }),
+        }
+    }
+
+    /// The strips that have pieces without a plane shape, ascending.
+    pub fn strips_left_out(&self) -> Vec<usize> {
+        let mut strips: Vec<usize> = self.left_out.iter().map(|curved| curved.strip).collect();
+        strips.dedup();
+        strips
     }
 
     /// Lays shapes in rows about as wide as all rows are high, the highest first.
@@ -63,7 +78,7 @@ impl Sheet {
             size = size.max(at + sizes[index] + gap);
             at.x += sizes[index].x + gap;
         }
-        Self { planes, size }
+        Self { planes, size, left_out: Vec::new() }
     }
 }
 

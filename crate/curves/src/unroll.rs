@@ -2,9 +2,11 @@
 //!
 //! A surface has a plane shape of the same lengths where the angles around each inner vertex add up to a full turn; what is
 //! missing to it is the angle defect, the curvature of that vertex (K. Polthier and M. Schmies, "Straightest geodesics on
-//! polyhedral surfaces", 1998, section 2). A piece with holes is cut open besides.
+//! polyhedral surfaces", 1998, section 2). A piece with holes is cut open besides, and one with sources that are tips of cones from
+//! these to its rim.
 
 use std::collections::BinaryHeap;
+use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 use heatwalk_surface::triangle;
@@ -20,6 +22,10 @@ pub(crate) struct Piece<'a> {
     /// Of the strips.
     triangles: Vec<[u32; 3]>,
     edges: Edges,
+    /// Its vertices, ascending, by which others are numbered here.
+    vertices: Vec<u32>,
+    /// Those around which all angles are its own.
+    is_inner: Vec<bool>,
 }
 
 /// The pieces of a strip, in the order of their first triangles.
@@ -46,17 +52,32 @@ pub(crate) fn pieces(strips: &Strips, strip: usize) -> Vec<Piece<'_>> {
         }
         members.sort_unstable();
         let own: Vec<[u32; 3]> = members.iter().map(|&triangle| triangles[triangle]).collect();
-        pieces.push(Piece { strips, strip, edges: Edges::of(&own), triangles: own });
+        pieces.push(Piece::new(strips, strip, own));
     }
     pieces
 }
 
-impl Piece<'_> {
+impl<'a> Piece<'a> {
+    fn new(strips: &'a Strips, strip: usize, triangles: Vec<[u32; 3]>) -> Self {
+        let edges = Edges::of(&triangles);
+        let mut vertices = triangles.as_flattened().to_vec();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let is_inner = vec![true; vertices.len()];
+        let mut piece = Self { strips, strip, triangles, edges, vertices, is_inner };
+        for side in piece.sides().filter(|&side| piece.edges.twin(side).is_none()) {
+            for end in [side, next(side)].map(|side| piece.number(side)) {
+                piece.is_inner[end] = false;
+            }
+        }
+        piece
+    }
+
     /// The loops around its plane shape, counter-clockwise around it and clockwise around holes, in the field's unit.
     pub(crate) fn unroll(&self) -> Result<Vec<Vec<DVec2>>, NotDevelopable> {
-        self.check()?;
+        let tips = self.tips()?;
         let (corners, mut is_joined) = self.lay_out();
-        self.close(&mut is_joined);
+        self.close(&tips, &mut is_joined);
         let mut loops = Vec::new();
         let mut is_walked = is_joined.clone();
         for start in 0..is_walked.len() {
@@ -90,40 +111,40 @@ impl Piece<'_> {
         0..3 * self.triangles.len()
     }
 
-    /// The vertices of the piece, ascending, by which others are numbered here.
-    fn vertices(&self) -> Vec<u32> {
-        let mut vertices = self.triangles.as_flattened().to_vec();
-        vertices.sort_unstable();
-        vertices.dedup();
-        vertices
+    /// The number of the vertex that a half-edge leaves.
+    fn number(&self, side: usize) -> usize {
+        self.vertices.partition_point(|&vertex| vertex < self.vertex(side))
     }
 
-    /// Refuses a piece that is curved.
-    fn check(&self) -> Result<(), NotDevelopable> {
-        let vertices = self.vertices();
-        let number = |side: usize| vertices.partition_point(|&vertex| vertex < self.vertex(side));
-        let mut angles = vec![0.0; vertices.len()];
-        let mut is_inner = vec![true; vertices.len()];
+    /// The sources that are tips of cones: cut open to the rim, they lie in the plane. Refuses a piece that is curved elsewhere.
+    fn tips(&self) -> Result<Vec<usize>, NotDevelopable> {
+        let mut angles = vec![0.0; self.vertices.len()];
+        let mut is_source = self.is_inner.clone();
+        let distance = |side: usize| self.strips.distances[self.vertex(side) as usize];
         for side in self.sides() {
+            // Nothing beside it is nearer. Of an inner vertex, each edge begins there in one triangle.
+            is_source[self.number(side)] &= distance(side) < distance(next(side));
             let corners = [side, next(side), next(next(side))].map(|side| self.position(side));
-            angles[number(side)] += triangle::angle(corners);
-            if self.edges.twin(side).is_none() {
-                is_inner[number(side)] = false;
-                is_inner[number(next(side))] = false;
-            }
+            angles[self.number(side)] += triangle::angle(corners);
         }
         let (mut largest, mut at, mut total) = (0.0, 0, 0.0);
-        for (index, angle) in angles.into_iter().enumerate().filter(|&(index, _)| is_inner[index]) {
-            let defect = (std::f64::consts::TAU - angle).abs();
+        let mut tips = Vec::new();
+        for (index, angle) in angles.into_iter().enumerate().filter(|&(index, _)| self.is_inner[index]) {
+            let defect = TAU - angle;
+            if defect > MAX_DEFECT && is_source[index] {
+                tips.push(index);
+                continue;
+            }
+            let defect = defect.abs();
             total += defect;
             if defect > largest {
                 (largest, at) = (defect, index);
             }
         }
         if total <= MAX_DEFECT {
-            return Ok(());
+            return Ok(tips);
         }
-        Err(NotDevelopable { strip: self.strip, largest, vertex: vertices[at], total })
+        Err(NotDevelopable { strip: self.strip, largest, vertex: self.vertices[at], total })
     }
 
     /// Where each half-edge begins in the plane, and whether its two sides lie together there: across the edges of a spanning
@@ -163,27 +184,22 @@ impl Piece<'_> {
     }
 
     /// Joins the sides that lie together in the plane though no edge of the tree says so: where all but one edge around an
-    /// inner vertex are joined, so is that one, by its angles. What is left apart is where a piece with holes is cut open.
-    fn close(&self, is_joined: &mut [bool]) {
-        let vertices = self.vertices();
-        let number = |side: usize| vertices.partition_point(|&vertex| vertex < self.vertex(side));
-        let mut is_inner = vec![true; vertices.len()];
+    /// inner vertex are joined, so is that one, by its angles. What is left apart is where a piece with holes or `tips` is cut open.
+    fn close(&self, tips: &[usize], is_joined: &mut [bool]) {
+        let mut is_flat = self.is_inner.clone();
+        tips.iter().for_each(|&tip| is_flat[tip] = false);
         // Open edges around each vertex, by one of their half-edges; a sum of their numbers, so that one that is left is known.
-        let (mut counts, mut sums) = (vec![0_usize; vertices.len()], vec![0_usize; vertices.len()]);
+        let (mut counts, mut sums) = (vec![0_usize; self.vertices.len()], vec![0_usize; self.vertices.len()]);
         let mut ready = Vec::new();
         for side in self.sides() {
-            match self.edges.twin(side) {
-                None => [side, next(side)].iter().for_each(|&end| is_inner[number(end)] = false),
-                Some(twin) if twin > side && !is_joined[side] => {
-                    for end in [side, next(side)].map(number) {
-                        counts[end] += 1;
-                        sums[end] += side;
-                    }
+            if self.edges.twin(side).is_some_and(|twin| twin > side) && !is_joined[side] {
+                for end in [side, next(side)].map(|side| self.number(side)) {
+                    counts[end] += 1;
+                    sums[end] += side;
                 }
-                Some(_) => {}
             }
         }
-        ready.extend((0..vertices.len()).filter(|&vertex| is_inner[vertex] && counts[vertex] == 1));
+        ready.extend((0..self.vertices.len()).filter(|&vertex| is_flat[vertex] && counts[vertex] == 1));
         while let Some(vertex) = ready.pop() {
             if counts[vertex] != 1 {
                 continue;
@@ -193,10 +209,10 @@ impl Piece<'_> {
             if let Some(twin) = self.edges.twin(side) {
                 is_joined[twin] = true;
             }
-            for end in [side, next(side)].map(number) {
+            for end in [side, next(side)].map(|side| self.number(side)) {
                 counts[end] -= 1;
                 sums[end] -= side;
-                if is_inner[end] && counts[end] == 1 {
+                if is_flat[end] && counts[end] == 1 {
                     ready.push(end);
                 }
             }

@@ -21,6 +21,8 @@ pub struct Curves {
     field: Field,
     levels: Levels,
     isolines: Isolines,
+    /// Of the last file, what strips that it has not are between.
+    left_out: Vec<[Option<f64>; 2]>,
 }
 
 /// An isoline, in the unit of the file.
@@ -66,7 +68,7 @@ impl Curves {
             values => Levels::at(values)?,
         };
         let isolines = Isolines::trace(&field, &levels);
-        Ok(Self { field, levels, isolines })
+        Ok(Self { field, levels, isolines, left_out: Vec::new() })
     }
 
     /// The isolines, by value.
@@ -92,39 +94,48 @@ impl Curves {
         Ok(transform.places(curves.flat_map(|curve| curve.segments().flatten())))
     }
 
-    /// A file of the curves: "obj", "dxf", "csv" or "glb"; "strips.obj", of the surface cut along them; "unrolled.svg" or
-    /// "unrolled.dxf", of its strips in the plane. `unit`: the symbol of that of all lengths; empty where there is none.
+    /// A file of the curves: "obj", "dxf", "csv" or "glb"; "strips.obj", of the surface cut along them; "unrolled.svg",
+    /// "unrolled.dxf" or "unrolled.pdf", of its strips in the plane. `unit`: the symbol of that of all lengths; empty where there is none.
     ///
     /// # Errors
-    /// Where a strip is curved, or for another kind of file.
-    pub fn file(&self, kind: &str, unit: &str) -> Result<Vec<u8>> {
+    /// Where all strips are curved, for a PDF without a unit, or for another kind of file.
+    pub fn file(&mut self, kind: &str, unit: &str) -> Result<Vec<u8>> {
         let unit = unit_of(unit);
         let strips = || Strips::cut(&self.field, &self.levels);
+        self.left_out.clear();
         Ok(match kind {
             "obj" => write::obj(&self.isolines, unit),
             "dxf" => write::dxf(&self.isolines, unit),
             "csv" => write::csv(&self.isolines, unit),
             "glb" => write::glb(&self.isolines),
             "strips.obj" => write::strips_obj(&strips()?, unit),
-            "unrolled.svg" | "unrolled.dxf" => {
+            "unrolled.svg" | "unrolled.dxf" | "unrolled.pdf" => {
                 let strips = strips()?;
                 let sheet = Sheet::unroll(&strips)?;
-                if kind == "unrolled.svg" {
-                    write::sheet_svg(&sheet, &strips, unit)
-                } else {
-                    write::sheet_dxf(&sheet, &strips, unit)
+                self.left_out = sheet.strips_left_out().into_iter().map(|strip| strips.bounds(strip)).collect();
+                match kind {
+                    "unrolled.svg" => write::sheet_svg(&sheet, &strips, unit),
+                    "unrolled.dxf" => write::sheet_dxf(&sheet, &strips, unit),
+                    _ => write::sheet_pdf(&sheet, unit.ok_or_else(without_unit)?),
                 }
             }
             _ => return Err(Failure::misuse("there is no such file of curves")),
         })
     }
 
-    /// An SVG of what is seen of them from far away, in this direction as it is drawn where the axis `up` is drawn upward.
+    /// The strips that the last file leaves out since they are curved: two distances that each lies between, negative for no bound.
+    #[must_use]
+    pub fn left_out(&self) -> Vec<f64> {
+        self.left_out.iter().flat_map(|bounds| bounds.map(|bound| bound.unwrap_or(-1.0))).collect()
+    }
+
+    /// "svg" or "pdf" of what is seen of them from far away, in this direction as it is drawn where the axis `up` is drawn upward.
     ///
     /// # Errors
-    /// For no direction, or an axis that there is not.
-    pub fn svg(
+    /// For no direction, an axis that there is not, or a PDF without a unit.
+    pub fn picture(
         &self,
+        kind: &str,
         toward_eye: &[f64],
         #[wasm_bindgen(unchecked_param_type = "Up")] up: &str,
         unit: &str,
@@ -136,8 +147,17 @@ impl Curves {
         let in_file = |drawn: DVec3| DVec3::from_array(DVec3::AXES.map(|axis| up.turned(axis).dot(drawn)));
         let view = write::View::from_direction(&self.field, in_file(toward_eye), in_file(DVec3::Y));
         let view = view.ok_or_else(|| Failure::misuse("a direction has a length"))?;
-        Ok(write::svg(&self.isolines, &self.field, &view, unit_of(unit)))
+        let unit = unit_of(unit);
+        if kind != "pdf" {
+            return Ok(write::svg(&self.isolines, &self.field, &view, unit));
+        }
+        Ok(write::pdf(&self.isolines, &self.field, &view, unit.ok_or_else(without_unit)?))
     }
+}
+
+/// A PDF is at true scale.
+fn without_unit() -> Failure {
+    Failure::misuse("a PDF needs the unit of the lengths")
 }
 
 /// What lengths in a file are told in.

@@ -187,6 +187,119 @@ fn what_is_curved_is_refused_with_its_largest_defect() {
     assert!(refused.to_string().contains(&format!("{:.4} rad at vertex {}", refused.largest, refused.vertex)));
 }
 
+/// The area of a plane shape, without its holes.
+fn plane_area(loops: &[Vec<glam::DVec2>]) -> f64 {
+    let of = |outline: &Vec<glam::DVec2>| -> f64 {
+        let next = |index: usize| outline[(index + 1) % outline.len()];
+        0.5 * outline.iter().enumerate().map(|(index, point)| point.perp_dot(next(index))).sum::<f64>()
+    };
+    loops.iter().map(of).sum()
+}
+
+#[test]
+fn a_strip_whose_source_is_the_tip_of_a_cone_is_cut_open_to_its_rim() {
+    // Facets around a tip, in two rows, with a source at the tip, whose distance begins at 0.5.
+    let (around, slant) = (12, 2.0_f64.sqrt());
+    let ring = |radius: f64| {
+        (0..around).map(move |index| {
+            let angle = TAU * f64::from(index) / f64::from(around);
+            DVec3::new(radius * angle.cos(), radius * angle.sin(), -radius)
+        })
+    };
+    let positions: Vec<DVec3> = std::iter::once(DVec3::ZERO).chain(ring(0.5)).chain(ring(1.0)).collect();
+    let facet = |index: u32| {
+        let [a, b] = [1 + index, 1 + (index + 1) % around];
+        [[0, a, b], [a, a + around, b + around], [a, b + around, b]]
+    };
+    let soup = Soup::single("cone", positions, (0..around).flat_map(facet).collect());
+    let field = field(&soup, |position| 0.5 + slant * position.truncate().length());
+    let strips = Strips::cut(&field, &Levels::at(&[0.5 + 0.8 * slant]).unwrap()).unwrap();
+    let sheet = Sheet::unroll(&strips).unwrap();
+    assert!(sheet.left_out.is_empty());
+    assert_eq!(sheet.planes.iter().map(|plane| (plane.strip, plane.loops.len())).collect::<Vec<_>>(), [(0, 1), (1, 1)]);
+    for plane in &sheet.planes {
+        let whole = area(&strips.positions, &strips.triangles[strips.ranges[plane.strip].clone()]);
+        assert!((plane_area(&plane.loops) - whole).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn what_is_curved_is_left_out_of_the_sheet_and_named() {
+    let field = field(&shapes::icosphere(2), |position| position.normalize().z.acos());
+    let strips = Strips::cut(&field, &Levels::at(&[1.0, 1.01]).unwrap()).unwrap();
+    let sheet = Sheet::unroll(&strips).unwrap();
+    assert!(!sheet.planes.is_empty() && sheet.planes.iter().all(|plane| plane.strip == 1));
+    assert_eq!(sheet.strips_left_out(), [0, 2]);
+    let drawn: f64 = sheet.planes.iter().map(|plane| plane_area(&plane.loops)).sum();
+    assert!((drawn / area(&strips.positions, &strips.triangles[strips.ranges[1].clone()]) - 1.0).abs() < 1e-9);
+}
+
+/// Whole numbers and others of a PDF: the sides of the page, in millimeters, what is written, and the segments of all lines, in
+/// millimeters from its upper left corner. Checks that objects are where the table says.
+fn read_pdf(bytes: &[u8]) -> ([f64; 2], String, Vec<Vec<[f64; 2]>>) {
+    let text = String::from_utf8(bytes.to_vec()).unwrap();
+    let (_, table) = text.split_once("xref\n0 6\n").unwrap();
+    for (number, row) in table.lines().skip(1).take(5).enumerate() {
+        let at: usize = row.split(' ').next().unwrap().parse().unwrap();
+        assert!(text[at..].starts_with(&format!("{} 0 obj\n", number + 1)));
+    }
+    let start: usize = text.rsplit("startxref\n").next().unwrap().lines().next().unwrap().parse().unwrap();
+    assert!(text[start..].starts_with("xref\n"));
+    let between = |begin: &str, end: &str| text.split_once(begin).unwrap().1.split_once(end).unwrap().0.to_owned();
+    let numbers = |text: &str| text.split(' ').map(|number| number.parse().unwrap()).collect::<Vec<f64>>();
+    let [_, _, width, height] = numbers(&between("/MediaBox [", "]"))[..] else { panic!("a box has four numbers") };
+    let length: usize = between("/Length ", " ").parse().unwrap();
+    let content = between("stream\n", "endstream");
+    assert_eq!(content.len(), length);
+    let drawn = content.split(" w 1 j 1 J\n").nth(1).unwrap();
+    let (mut lines, mut last) = (Vec::new(), Vec::new());
+    for token in drawn.split_whitespace() {
+        match token {
+            "m" => lines.push(vec![[last[0], last[1]]]),
+            "l" => lines.last_mut().unwrap().push([last[0], last[1]]),
+            "s" | "S" => {}
+            number => {
+                last.push(number.parse::<f64>().unwrap());
+                continue;
+            }
+        }
+        last.clear();
+    }
+    ([width, height].map(|side| side * 25.4 / 72.0), between("Td (", ")"), lines)
+}
+
+#[test]
+fn a_pdf_is_at_true_scale_with_a_ruler() {
+    let field = field(&shapes::grid(2, 2), |position| position.x);
+    let isolines = trace(&field, &[0.5]);
+    let view = View::from_direction(&field, DVec3::Y, DVec3::Z).unwrap();
+    let read = |unit| read_pdf(&write::pdf(&isolines, &field, &view, unit));
+    let (page, words, lines) = read(Unit::Meter);
+    // The picture with its margins of 3 %, those of the page, and the foot.
+    assert!((page[0] - 1080.0).abs() < 1e-6 && (page[1] - 1096.0).abs() < 1e-6, "{page:?}");
+    assert_eq!(words, "100 mm     1 : 1");
+    let length = |line: &[[f64; 2]]| -> f64 {
+        line.windows(2).map(|ends| (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1])).sum()
+    };
+    assert!((length(&lines[0]) - 100.0).abs() < 1e-9, "the ruler");
+    // Its ticks, and the isoline, which is 1 m long.
+    assert_eq!(lines.len(), 1 + 11 + 1);
+    assert!((length(&lines[12]) - 1000.0).abs() < 1e-3, "{}", length(&lines[12]));
+
+    // What is larger than a page is drawn at a rounded scale, and what is smaller has the ruler all the same.
+    let (page, words, lines) = read(Unit::Kilometer);
+    assert_eq!(words, "100 mm     1 : 500");
+    assert!((length(&lines[12]) - 2000.0).abs() < 1e-3 && page[0] < 5080.0);
+    let (page, _, lines) = read(Unit::Millimeter);
+    assert!((page[0] - 120.0).abs() < 1e-9 && (length(&lines[12]) - 1.0).abs() < 1e-3);
+
+    let strips = Strips::cut(&field, &Levels::at(&[0.5]).unwrap()).unwrap();
+    let sheet = Sheet::unroll(&strips).unwrap();
+    let (_, _, lines) = read_pdf(&write::sheet_pdf(&sheet, Unit::Meter));
+    let around: f64 = lines[12..].iter().map(|line| length(&[&line[..], &line[..1]].concat())).sum();
+    assert!((around - 2.0 * 3000.0).abs() < 1e-2, "two rectangles of 0.5 by 1: {around}");
+}
+
 #[test]
 fn levels_are_multiples_of_a_spacing_or_equal_shares() {
     assert_eq!(Levels::spaced(0.5, 2.0).unwrap().values(), [0.5, 1.0, 1.5]);
@@ -286,6 +399,14 @@ fn files_say_the_unit_of_their_lengths() {
     assert!((millimeters(write::svg(&isolines, &field, &view, Some(Unit::Meter))) - 2120.0).abs() < 1e-9);
     assert!((width(write::svg(&isolines, &field, &view, None)).parse::<f64>().unwrap() - 1000.0).abs() < 1e-9);
     assert!((millimeters(write::sheet_svg(&sheet, &strips, inches)) - sheet.size.x * 25.4).abs() < 1e-9);
+    // Programs that pass over the unit of the width read the same millimeters.
+    for svg in [write::svg(&isolines, &field, &view, inches), write::sheet_svg(&sheet, &strips, inches)] {
+        let svg = text(svg);
+        let side = |begin: &str, end| svg.split(begin).nth(1).unwrap().split(end).next().unwrap().to_owned();
+        assert_eq!(side("viewBox=\"0 0 ", ' '), side("width=\"", 'm'));
+    }
+    let drawn = drawn_length(&write::svg(&isolines, &field, &view, inches));
+    assert!((drawn / drawn_length(&write::svg(&isolines, &field, &view, None)) - 0.00212 * 25.4).abs() < 1e-6);
 
     let ply = |unit| write::with_ply_comment(b"ply\nformat ascii 1.0\nelement vertex 0\n\n\n".to_vec(), unit);
     assert_eq!(text(ply(inches)), "ply\nformat ascii 1.0\ncomment lengths in in\nelement vertex 0\n\n\n");

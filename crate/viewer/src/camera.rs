@@ -46,6 +46,7 @@ pub struct Camera {
     /// Physical pixels a CSS pixel.
     pixel_ratio: f64,
     insets: Insets,
+    is_orthographic: bool,
 }
 
 impl Camera {
@@ -68,7 +69,13 @@ impl Camera {
             size: DVec2::ONE,
             pixel_ratio: 1.0,
             insets: Insets::default(),
+            is_orthographic: false,
         }
+    }
+
+    /// Whether lines of sight are parallel; what is at the target is as large as in perspective.
+    pub fn set_orthographic(&mut self, is_orthographic: bool) {
+        self.is_orthographic = is_orthographic;
     }
 
     /// What the view is relative to, and what must lie between the near and the far plane.

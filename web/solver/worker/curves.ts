@@ -1,5 +1,14 @@
 /** Isolines and files of distances, by a module that is loaded with the first of them. */
-import type { CurveFile, DistanceFile, IsolineRow, Isolines, IsolineWish } from '../../protocol';
+import type {
+  CurveFile,
+  DistanceFile,
+  IsolineRow,
+  Isolines,
+  IsolineWish,
+  SavedCurves,
+  GirthFile,
+  Plane,
+} from '../../protocol';
 import { type LengthUnit, MODEL, typed } from '../../length';
 import { fileName } from '../../files/paths';
 import type * as curves from '../../wasm/curves/heatwalk_curves';
@@ -34,6 +43,34 @@ async function trace(solver: wasm.Solver, { values, spacing }: IsolineWish, unit
   return traced;
 }
 
+/** The curves in which a plane cuts the surface: isolines of the height over it. */
+async function cutBy(solver: wasm.Solver, { normal, offset }: Plane, unit: LengthUnit): Promise<curves.Curves> {
+  const { Curves } = await loaded();
+  const positions = scaled(solver.positions(), unit);
+  const heights = new Float64Array(positions.length / 3).fill(-offset * unit.scale);
+  positions.forEach((value, index) => {
+    const vertex = Math.floor(index / 3);
+    heights[vertex] = (heights[vertex] ?? 0) + (normal[index % 3] ?? 0) * value;
+  });
+  return new Curves(positions, solver.faces(), heights, Float64Array.of(0), 0);
+}
+
+/** #segments × 2 × 3, ends of the segments of all curves in which a plane cuts the surface, one curve after another, as they are drawn. */
+export async function girth(solver: wasm.Solver, plane: Plane, { transform }: ShownAs): Promise<Float32Array> {
+  const found = await cutBy(solver, plane, MODEL);
+  const ends = found.ends(transform);
+  found.free();
+  return ends;
+}
+
+/** A file of them. */
+export async function girthFile(solver: wasm.Solver, plane: Plane, kind: GirthFile, unit: LengthUnit): Promise<Bytes> {
+  const found = await cutBy(solver, plane, unit);
+  const bytes = found.file(kind, unit.symbol);
+  found.free();
+  return bytes as Bytes;
+}
+
 /** Lengths in another unit. */
 function scaled(lengths: Float64Array, { scale }: LengthUnit): Float64Array {
   return scale === 1 ? lengths : lengths.map((length) => scale * length);
@@ -49,12 +86,19 @@ export async function curveFile(
   wish: IsolineWish,
   { kind, towardEye, unit }: CurveFile,
   { transform }: ShownAs,
-): Promise<Bytes> {
+): Promise<SavedCurves> {
   const found = await trace(solver, wish, unit);
   const { symbol } = unit;
-  return (
-    kind === 'svg' ? found.svg(Float64Array.from(towardEye), transform.up, symbol) : found.file(kind, symbol)
-  ) as Bytes;
+  const bytes =
+    kind === 'svg' || kind === 'pdf'
+      ? found.picture(kind, Float64Array.from(towardEye), transform.up, symbol)
+      : found.file(kind, symbol);
+  const bounds = Array.from(found.left_out(), (bound) => (bound < 0 ? null : bound));
+  const leftOut = Array.from(
+    { length: bounds.length / 2 },
+    (_, strip) => [bounds[2 * strip] ?? null, bounds[2 * strip + 1] ?? null] as const,
+  );
+  return { bytes: bytes as Bytes, leftOut };
 }
 
 export async function distanceFile(

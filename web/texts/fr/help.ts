@@ -128,6 +128,14 @@ export const HELP: Texts = {
   'Shows the inside: half of the mesh is left out, or a wedge of it.':
     'Montre l’intérieur : la moitié du maillage est omise, ou un quartier.',
   'Where the cut is, from one end of the mesh to the other.': 'Où est la coupe, d’un bout à l’autre du maillage.',
+  'Shows the curves in which a plane cuts the surface, with their lengths.':
+    'Montre les courbes selon lesquelles un plan coupe la surface, avec leurs longueurs.',
+  'Where the plane is, from one end of the mesh to the other.': 'Où est le plan, d’un bout du maillage à l’autre.',
+  'Direction of the plane around the axis that points up.': 'Direction du plan autour de l’axe vertical.',
+  'How far the direction of the plane is over the horizon; 90° is level.':
+    'De combien la direction du plan s’élève au-dessus de l’horizon ; à 90° il est horizontal.',
+  'The curves in millimeters (DXF), in meters (GLB) or in the unit that is shown.':
+    'Les courbes en millimètres (DXF), en mètres (GLB) ou dans l’unité affichée.',
   'Direction of the cut around the axis that points up.': 'Direction de la coupe autour de l’axe vertical.',
   'How far the cut leans over the horizon.': 'Inclinaison de la coupe par rapport à l’horizon.',
   'Angle of the wedge.': 'Angle du quartier.',

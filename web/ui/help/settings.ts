@@ -26,6 +26,7 @@ export const SECTIONS: Record<string, string> = {
   compare: 'page#comparing',
   style: 'gallery',
   measure: 'page#tapes',
+  girth: 'page#girth',
   charts: 'page#charts',
   display: 'page#materials',
   numbers: 'page#refinement',
@@ -53,6 +54,19 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
   },
   measure: {
     'Unit of the known length': about(t('The unit of lengths from then on.'), 'page#tapes'),
+  },
+  girth: {
+    'Measure the girth': about(
+      t('Shows the curves in which a plane cuts the surface, with their lengths.'),
+      'page#girth',
+    ),
+    Position: about(t('Where the plane is, from one end of the mesh to the other.'), 'page#girth'),
+    Turn: about(t('Direction of the plane around the axis that points up.'), 'page#girth'),
+    Tilt: about(t('How far the direction of the plane is over the horizon; 90° is level.'), 'page#girth'),
+    'Girth file': about(
+      t('The curves in millimeters (DXF), in meters (GLB) or in the unit that is shown.'),
+      'page#girth',
+    ),
   },
   sources: {
     Draw: about(

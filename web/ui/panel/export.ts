@@ -1,5 +1,5 @@
 import { Failure, messageOf } from '../../error';
-import type { CurveFile, DistanceFile, InnerDistanceFile, Isolines } from '../../protocol';
+import type { CurveFile, DistanceFile, InnerDistanceFile, Isolines, SavedCurves } from '../../protocol';
 import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../session/export';
 import { isolineWish } from '../../session/isolines';
 import type { Engine } from '../../solver/engine';
@@ -8,35 +8,43 @@ import { commandLines, type Measured, pythonLines } from '../../state/reproduce'
 import type { MeshReference } from '../../state/scene';
 import { isolinesText, parseIsolines } from '../../state/isolines';
 import { rustLines } from '../../state/rust';
-import { isSameUnit, type LengthUnit, MODEL, told, toldArea, unitOf, unitOfFile } from '../../length';
+import { inModel, isKnown, isSameUnit, type LengthUnit, MODEL, told, toldArea, unitOf, unitOfFile } from '../../length';
 import { save } from '../../view/picture';
 import { copy } from '../clipboard';
 import { h, say, select } from '../dom';
-import { threeDigits, unitWords, withUnit } from '../../state/measures';
+import { measure as lengthWords, threeDigits, unitWords, withUnit } from '../../state/measures';
 import { fileNameOf } from '../words';
-import { counted, listed, t, type Words } from '../../texts';
+import { counted, enumerated, listed, t, type Words } from '../../texts';
 
 const CURVES: readonly (readonly [CurveFile['kind'], Words])[] = [
   ['obj', t('Curves, OBJ')],
   ['dxf', t('Curves, DXF')],
   ['svg', t('Curves as seen, SVG')],
+  ['pdf', t('Curves as seen, PDF')],
   ['csv', t('Curves, CSV')],
   ['glb', t('Curves, GLB')],
   ['strips.obj', t('Strips, OBJ')],
   ['unrolled.svg', t('Strips unrolled, SVG')],
   ['unrolled.dxf', t('Strips unrolled, DXF')],
+  ['unrolled.pdf', t('Strips unrolled, PDF')],
 ];
-const DISTANCES: readonly (readonly [DistanceFile, Words])[] = [
+/** The surface as it is painted, which the page writes by itself. */
+const STRIPES = 'stripes.glb';
+/** Strips that are named one by one. */
+const MOST_NAMED = 5;
+const DISTANCES: readonly (readonly [DistanceFile | typeof STRIPES, Words])[] = [
   ['csv', 'CSV'],
   ['npy', 'NumPy'],
   ['ply', t('PLY, double')],
   ['glb', t('GLB with materials')],
   ['weights.ply', t('PLY, vertex colors')],
+  [STRIPES, t('GLB with the stripes')],
 ];
-const INNER_DISTANCES: readonly (readonly [InnerDistanceFile, Words])[] = [
+const INNER_DISTANCES: readonly (readonly [InnerDistanceFile | typeof STRIPES, Words])[] = [
   ['csv', 'CSV'],
   ['vtu', t('VTU, tetrahedra')],
   ['msh', t('Gmsh, tetrahedra')],
+  [STRIPES, t('GLB with the stripes')],
 ];
 const PATHS = [
   ['csv', 'CSV'],
@@ -138,12 +146,15 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   let kind: CurveFile['kind'] = 'obj';
   const file = select(t('File'), CURVES, (value) => (kind = value));
   const saveFile = async () => {
-    const bytes = await measured(session).queries.curveFile(wish(), {
-      kind,
-      towardEye: towardEye(session.view.camera),
-      unit: unitOfFile(kind, shownUnit(session)),
-    });
+    const unit = unitOfFile(kind, shownUnit(session));
+    if (kind.endsWith('pdf') && !isKnown(unit))
+      throw new Failure(
+        t('A PDF is at true scale, and nothing says what the lengths are in. Choose it by "Correct unit".'),
+      );
+    const wanted = { kind, towardEye: towardEye(session.view.camera), unit };
+    const { bytes, leftOut } = await measured(session).queries.curveFile(wish(), wanted);
     save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.isolines.${kind}`);
+    return leftOut.length > 0 ? leftOutWords(session, leftOut, unit) : undefined;
   };
   session.shown.watch((shown, previous) => {
     if (shown?.answer.field !== previous?.answer.field) table.replaceChildren();
@@ -161,6 +172,18 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
     file.element,
     action(t('Save isolines'), t('Curves of equal distance, or the surface cut along them'), saveFile),
   ];
+}
+
+/** Strips that are not in a file. */
+function leftOutWords(session: Session, strips: SavedCurves['leftOut'], unit: LengthUnit): Words {
+  const length = (value: number) => lengthWords(inModel(value, unit), shownUnit(session));
+  const words = strips.map(([from, to]) => {
+    if (from === null) return t`below ${length(to ?? 0)}`;
+    return to === null ? t`beyond ${length(from)}` : t`from ${length(from)} to ${length(to)}`;
+  });
+  const more = words.length - MOST_NAMED;
+  const named = more > 0 ? [...words.slice(0, MOST_NAMED), counted(more, '{0} more', '{0} more')] : words;
+  return t`Left out, since they are curved: the strips ${enumerated(named)}. A smaller spacing makes flatter ones.`;
 }
 
 function cells(tag: 'th' | 'td', words: readonly Words[]): HTMLElement {
@@ -190,8 +213,8 @@ function tableOf({ rows }: Isolines, unit: LengthUnit): HTMLElement {
 }
 
 function distanceControls(session: Session, action: Action): HTMLElement[] {
-  let kind: DistanceFile = 'csv';
-  let innerKind: InnerDistanceFile = 'csv';
+  let kind: DistanceFile | typeof STRIPES = 'csv';
+  let innerKind: InnerDistanceFile | typeof STRIPES = 'csv';
   const file = select(t('Distances'), DISTANCES, (value) => (kind = value));
   const innerFile = select(t('Distances'), INNER_DISTANCES, (value) => (innerKind = value));
   const isInside = () => Boolean(session.shown.value?.opened.interior);
@@ -201,13 +224,25 @@ function distanceControls(session: Session, action: Action): HTMLElement[] {
   const work = async () => {
     const engine = asked(session);
     const unit = shownUnit(session);
-    const bytes = await (isInside()
-      ? engine.queries.innerDistanceFile(innerKind, unit)
-      : engine.queries.distanceFile(kind, unitOfFile(kind, unit)));
+    const bytes = isInside()
+      ? innerKind !== STRIPES && (await engine.queries.innerDistanceFile(innerKind, unit))
+      : kind !== STRIPES && (await engine.queries.distanceFile(kind, unitOfFile(kind, unit)));
+    if (!bytes) return saveStripes(session, unit);
     save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.distances.${isInside() ? innerKind : kind}`);
   };
   const title = t('One for each vertex of the file, in the unit that is shown; GLB files are in meters');
   return [file.element, innerFile.element, action(t('Save distances'), title, work)];
+}
+
+async function saveStripes(session: Session, unit: LengthUnit): Promise<Words | void> {
+  const { stripesGlb } = await import('../../session/stripes');
+  const { painted, shown } = session;
+  if (!painted || !shown.value) throw new Failure(t('There are no distances yet.'));
+  const { name, appearance, drawTransform } = shown.value.opened;
+  const file = stripesGlb(painted, drawTransform, unitOfFile('glb', unit), name);
+  save(new Blob([file]), `${fileNameOf(shown.value)}.${STRIPES}`);
+  if (appearance && painted.style.surfaceOf === 'file')
+    return t('The stripes are on the colors of the style, without the materials of the file.');
 }
 
 function pathControls(session: Session, action: Action): HTMLElement[] {

@@ -28,11 +28,14 @@ interface Parts {
   frames: Frames;
   /** Whether there is a legend. */
   legend: Signal<boolean>;
+  /** The settings of the girth. */
+  girth: () => Promise<HTMLElement>;
 }
 
 /** `drawn`: the first picture, after which all is loaded. */
 export function workspacePanel(parts: Parts, open: Signal<Workspace>, drawn: Promise<void>): Panel {
-  const { session, opener, ground, tool, measuring, comparing, chooseFile, chooseFolder, link, frames, legend } = parts;
+  const { session, opener, ground, tool, measuring, comparing, chooseFile, chooseFolder, link, frames, legend, girth } =
+    parts;
   const contents: Record<Workspace, WorkspaceContent> = {
     scene: {
       name: t('Scene'),
@@ -70,7 +73,10 @@ export function workspacePanel(parts: Parts, open: Signal<Workspace>, drawn: Pro
     measure: {
       name: t('Measure'),
       icon: 'M3 13.500L13.500 3l3.500 3.500L6.500 17zM6 10.500l1.500 1.500M8.500 8l2 2M11 5.500l1.500 1.500',
-      sections: [{ id: 'measure', title: t('Measure'), element: measuring.element, open: true }],
+      sections: [
+        { id: 'measure', title: t('Measure'), element: measuring.element, open: true },
+        { id: 'girth', title: t('Girth'), element: girth, open: true },
+      ],
     },
     ground: {
       name: t('Ground'),

@@ -12,13 +12,14 @@ const DIRECTIONS = {
   top: [0, Math.PI / 2],
 } as const;
 
-export type ViewName = keyof typeof DIRECTIONS | 'fit' | 'screen';
+export type ViewName = keyof typeof DIRECTIONS | 'fit' | 'parallel' | 'screen';
 
 const ITEMS: readonly { name: ViewName; words: Words; key: string }[] = [
   { name: 'front', words: t('Front'), key: '8' },
   { name: 'side', words: t('Side'), key: '9' },
   { name: 'top', words: t('Top'), key: '0' },
   { name: 'fit', words: t('Fit'), key: 'F' },
+  { name: 'parallel', words: t('Orthographic'), key: 'V' },
   { name: 'screen', words: t('Full screen'), key: 'X' },
 ];
 
@@ -26,10 +27,14 @@ const ITEMS: readonly { name: ViewName; words: Words; key: string }[] = [
 const GAP = 8;
 
 /** `moved`: called where the camera moves. */
-export async function show(name: ViewName, { view }: Session, moved: () => void): Promise<void> {
+export async function show(name: ViewName, { view, scene }: Session, moved: () => void): Promise<void> {
   if (name === 'screen') {
     if (document.fullscreenElement) await document.exitFullscreen();
     else if (document.fullscreenEnabled) await document.documentElement.requestFullscreen();
+    return;
+  }
+  if (name === 'parallel') {
+    scene.set({ orthographic: !scene.state.orthographic });
     return;
   }
   const { camera } = view;
@@ -40,13 +45,13 @@ export async function show(name: ViewName, { view }: Session, moved: () => void)
 }
 
 /** Opens the menu at its button, or closes it. */
-export function toggleMenu(button: HTMLElement, choose: (name: ViewName) => void): void {
-  menuOf(button, choose).togglePopover();
+export function toggleMenu(button: HTMLElement, session: Session, choose: (name: ViewName) => void): void {
+  menuOf(button, session, choose).togglePopover();
 }
 
 const menus = new WeakMap<HTMLElement, HTMLElement>();
 
-function menuOf(button: HTMLElement, choose: (name: ViewName) => void): HTMLElement {
+function menuOf(button: HTMLElement, { scene }: Session, choose: (name: ViewName) => void): HTMLElement {
   const made = menus.get(button);
   if (made) return made;
   const items = ITEMS.filter(({ name }) => name !== 'screen' || document.fullscreenEnabled).map(
@@ -58,7 +63,12 @@ function menuOf(button: HTMLElement, choose: (name: ViewName) => void): HTMLElem
       const label = h('span', {}, words);
       const item = h(
         'button',
-        { role: 'menuitem', tabindex: -1, 'aria-keyshortcuts': key, onclick: chosen },
+        {
+          role: name === 'parallel' ? 'menuitemcheckbox' : 'menuitem',
+          tabindex: -1,
+          'aria-keyshortcuts': key,
+          onclick: chosen,
+        },
         label,
         h('kbd', { 'aria-hidden': 'true' }, key),
       );
@@ -79,6 +89,8 @@ function menuOf(button: HTMLElement, choose: (name: ViewName) => void): HTMLElem
       if (hadFocus || document.activeElement === document.body) button.focus();
       return;
     }
+    const parallel = items.find(({ name }) => name === 'parallel');
+    parallel?.item.setAttribute('aria-checked', String(scene.state.orthographic));
     const full = items.find(({ name }) => name === 'screen');
     if (full) say(full.label, document.fullscreenElement ? t('Leave full screen') : t('Full screen'));
     stand(menu, button);

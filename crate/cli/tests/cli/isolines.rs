@@ -50,7 +50,7 @@ fn strips_are_read_back_with_the_area_of_the_surface() {
 }
 
 #[test]
-fn curves_are_written_as_csv_obj_dxf_svg_and_glb() {
+fn curves_are_written_as_csv_obj_dxf_svg_pdf_and_glb() {
     let folder = folder("curves");
     let write = |name: &str| {
         succeed(&folder, &["isolines", "flat.ply", "--line", "0,8", "--values", "0.25,0.3", "--output", name]);
@@ -68,8 +68,10 @@ fn curves_are_written_as_csv_obj_dxf_svg_and_glb() {
     assert!(dxf.contains("ISOLINE_0_0_25") && dxf.ends_with("  0\nEOF\n"));
     assert_eq!(text("a.svg").matches("<path").count(), 2);
     assert!(write("a.glb").starts_with(b"glTF"));
+    assert!(write("a.pdf").starts_with(b"%PDF-1.4\n"));
     let unroll = ["--count", "3", "--unroll", "--output", "sheet.svg"];
-    succeed(&folder, &[&["isolines", "flat.ply", "--line", "0,8"][..], &unroll].concat());
+    let told = json(&folder, &[&["isolines", "flat.ply", "--line", "0,8"][..], &unroll].concat());
+    assert_eq!(told["left_out"], Value::Array(Vec::new()));
     assert_eq!(fs::read_to_string(folder.join("sheet.svg")).unwrap().matches("<path").count(), 4);
 }
 
@@ -80,7 +82,13 @@ fn refuses_what_cannot_be_drawn() {
     assert!(asked(&[]).contains("--spacing"));
     assert!(asked(&["--spacing", "-1"]).contains("a spacing is a positive number"));
     assert!(asked(&["--spacing", "1e-9"]).contains("choose a larger spacing"));
-    assert!(asked(&["--count", "3", "--output", "a.ply"]).contains(".obj, .dxf, .svg, .csv or .glb"));
+    assert!(asked(&["--count", "3", "--output", "a.ply"]).contains(".obj, .dxf, .svg, .pdf, .csv or .glb"));
     assert!(asked(&["--count", "1", "--unroll", "--output", "a.svg"]).contains("cannot be unrolled"));
     assert!(!folder.join("a.svg").exists());
+    assert!(asked(&["--count", "1", "--unit", "none", "--output", "a.pdf"]).contains("choose one by --unit"));
+    // Narrower than triangles, which have no vertex within.
+    let mixed = ["--values", "0.5,0.501", "--unroll", "--output", "sheet.pdf"];
+    let told = json(&folder, &[&["isolines", "torus.ply", "--source", "0"][..], &mixed].concat());
+    assert_eq!(told["left_out"], serde_json::json!(["strip_0_below_0.5", "strip_2_above_0.501"]));
+    assert!(fs::read(folder.join("sheet.pdf")).unwrap().starts_with(b"%PDF-1.4\n"));
 }

@@ -6,12 +6,16 @@ mod dxf;
 mod glb;
 mod obj;
 mod occlusion;
+mod pdf;
 mod svg;
 mod unit;
+mod view;
 
 pub use csv::csv;
 pub use dxf::{dxf, sheet_dxf};
 pub use glb::glb;
 pub use obj::{obj, strips_obj};
-pub use svg::{View, sheet_svg, svg};
+pub use pdf::{pdf, sheet_pdf};
+pub use svg::{sheet_svg, svg};
 pub use unit::{column, with_ply_comment};
+pub use view::View;

@@ -38,6 +38,37 @@ fn insets_move_the_centre_and_shrink_the_frame() {
     }
 }
 
+#[test]
+fn orthographic_lengths_are_the_same_at_any_depth_and_rays_meet_what_is_projected() {
+    let mut camera = camera();
+    camera.set_insets(Insets { left: 0.0, top: 0.0, right: 600.0, bottom: 100.0 });
+    let center = Vec3::new(5.0, -2.0, 1.0);
+    let axes = camera.eye().world_from_view.as_mat3();
+    let across = |camera: &Camera, depth: f32| {
+        let middle = center + depth * axes.z_axis;
+        let [start, end] = [middle, middle + axes.x_axis].map(|point| camera.project(point).unwrap());
+        (end - start).truncate().length()
+    };
+    let in_perspective = across(&camera, 0.0);
+    assert!(across(&camera, 2.0) > 1.1 * in_perspective);
+    camera.set_orthographic(true);
+    for depth in [-2.0, 0.0, 2.0] {
+        assert!((across(&camera, depth) / in_perspective - 1.0).abs() < 1e-5, "as at the target in perspective");
+    }
+    // Sizes in pixels that shaders find by the distance from the eye.
+    let eye = camera.eye();
+    let pixel = eye.pixel_slope * (eye.position - center.as_dvec3()).dot(eye.world_from_view.z_axis);
+    assert!((pixel * f64::from(in_perspective) - 1.0).abs() < 1e-3);
+    for point in [center, center + 2.0 * axes.y_axis - axes.z_axis, center + axes.x_axis + 2.5 * axes.z_axis] {
+        let seen = camera.project(point).unwrap();
+        assert!(seen.z > 0.0 && seen.z < 1.0);
+        let ray = camera.ray(seen.truncate());
+        let to_point = point - ray.origin;
+        assert!(to_point.dot(ray.direction) > 0.0);
+        assert!(to_point.cross(ray.direction).length() < 1e-4, "{to_point} {}", ray.direction);
+    }
+}
+
 fn settle(camera: &mut Camera) {
     while camera.is_moving() {
         camera.advance(0.016);

@@ -27,6 +27,11 @@ impl Viewer {
         self.renderer.move_camera(|camera| camera.refit(before));
     }
 
+    /// Whether lines of sight are parallel.
+    pub fn set_orthographic(&mut self, is_orthographic: bool) {
+        self.renderer.move_camera(|camera| camera.set_orthographic(is_orthographic));
+    }
+
     /// Orbits the target; CSS pixels.
     pub fn orbit(&mut self, dx: f64, dy: f64) {
         self.renderer.move_camera(|camera| camera.orbit(dx, dy));

@@ -11,6 +11,9 @@ import type {
   IsolineWish,
   Leg,
   MeshPoint,
+  SavedCurves,
+  GirthFile,
+  Plane,
   SurfaceLeg,
 } from '../../../protocol';
 import type { LengthUnit } from '../../../length';
@@ -139,8 +142,18 @@ export async function isolines(wish: IsolineWish): Promise<Isolines> {
 }
 
 /** A file of isolines of the last field. */
-export async function curveFile(wish: IsolineWish, file: CurveFile): Promise<Bytes> {
+export async function curveFile(wish: IsolineWish, file: CurveFile): Promise<SavedCurves> {
   return (await curves()).curveFile(openSurface(), wish, file, openMesh().shownAs);
+}
+
+/** The curves in which a plane cuts the surface: #segments × 2 × 3, their ends, as they are drawn. */
+export async function girth(plane: Plane): Promise<Float32Array> {
+  return (await curves()).girth(openSurface(), plane, openMesh().shownAs);
+}
+
+/** A file of them. */
+export async function girthFile(plane: Plane, kind: GirthFile, unit: LengthUnit): Promise<Bytes> {
+  return (await curves()).girthFile(openSurface(), plane, kind, unit);
 }
 
 /** A file of the last field, with lengths in a unit; of a mesh that is as in its file, with all that this holds. */
