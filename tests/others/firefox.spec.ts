@@ -87,6 +87,14 @@ test('in Firefox a first visit opens, drops, clicks, drags, shares, saves, and g
   await page.mouse.up();
   await expect.poll(() => page.evaluate(() => window.heatwalk.camera)).not.toEqual(before);
 
+  // The browser has kept the file: a reload shows it, and the way back one of another scene.
+  await page.reload();
+  await page.waitForFunction(() => window.heatwalk?.mesh?.name === 'ball.off');
+  await page.evaluate(() => window.heatwalk.open({ preset: 'icosphere' }));
+  await expect.poll(() => page.evaluate(() => location.hash)).toContain('m=icosphere');
+  await page.evaluate(() => history.back());
+  await page.waitForFunction(() => window.heatwalk.mesh?.name === 'ball.off');
+
   // A link opens the scene that it names.
   await page.goto(`${host.page}#m=torus&s=12&look=gold`);
   await page.waitForFunction(() => window.heatwalk?.mesh?.name === 'torus');

@@ -17,6 +17,13 @@ export interface KeptFile {
   input: GivenInput;
 }
 
+/** As it is kept: some browsers keep no Blobs. */
+interface StoredFile extends Omit<KeptFile, 'input'> {
+  input:
+    | { kind: 'files'; mesh: string; files: readonly { path: string; content: Blob | ArrayBuffer }[] }
+    | { kind: 'archive'; mesh: string; archive: Blob | ArrayBuffer };
+}
+
 const DATABASE = 'heatwalk';
 const STORE = 'files';
 /** Of one opening, of all, and how many openings. */
@@ -49,7 +56,7 @@ export async function keep(reference: MeshReference, input: GivenInput): Promise
     // A reload brings what is kept already.
     if (kept[0]?.hash === reference.hash) return;
     const file: KeptFile = { hash: reference.hash, time: Date.now(), bytes, input };
-    await inStore<unknown>('readwrite', (store) => store.put(file));
+    await put(file);
     await forgetOldest();
   } catch (error) {
     const reason = error instanceof Failure ? error.words : t('The browser has no room for it, or keeps nothing.');
@@ -61,20 +68,49 @@ export async function keep(reference: MeshReference, input: GivenInput): Promise
 export async function findKept(reference: MeshReference): Promise<GivenInput | null> {
   const given = ofThisVisit.get(keyOf(reference));
   if (given || reference.kind !== 'file' || reference.hash === '') return given ?? null;
-  const kept = await inStore<KeptFile | undefined>('readonly', (store) => store.get(reference.hash)).catch(() => null);
-  return kept?.input ?? null;
+  const kept = await inStore<StoredFile | undefined>('readonly', (files) => files.get(reference.hash)).catch(
+    () => null,
+  );
+  return kept ? inBlobs(kept.input) : null;
 }
 
 /** Those of all visits, the newest first; none where the browser keeps nothing. */
 export async function keptFiles(): Promise<KeptFile[]> {
-  const all = await inStore<KeptFile[]>('readonly', (store) => store.getAll()).catch(() => []);
-  return all.toSorted((a, b) => b.time - a.time);
+  const all = await inStore<StoredFile[]>('readonly', (files) => files.getAll()).catch(() => []);
+  return all
+    .map(({ hash, time, bytes, input }) => ({ hash, time, bytes, input: inBlobs(input) }))
+    .toSorted((a, b) => b.time - a.time);
 }
 
 /** Erases one, or all of them for null, from the browser. */
 export async function eraseKept(hash: string | null): Promise<void> {
   trouble = null;
-  await inStore<unknown>('readwrite', (store) => (hash === null ? store.clear() : store.delete(hash)));
+  await inStore<unknown>('readwrite', (files) => (hash === null ? files.clear() : files.delete(hash)));
+}
+
+async function store(file: StoredFile): Promise<void> {
+  await inStore<unknown>('readwrite', (files) => files.put(file));
+}
+
+async function put(file: KeptFile): Promise<void> {
+  try {
+    await store(file);
+  } catch (error) {
+    if (toError(error).name === 'QuotaExceededError') throw error;
+    // Private windows of WebKit keep no Blobs.
+    await store({ ...file, input: await inBytes(file.input) });
+  }
+}
+
+async function inBytes(input: GivenInput): Promise<StoredFile['input']> {
+  if (input.kind === 'archive') return { ...input, archive: await input.archive.arrayBuffer() };
+  const files = input.files.map(async ({ path, content }) => ({ path, content: await content.arrayBuffer() }));
+  return { ...input, files: await Promise.all(files) };
+}
+
+function inBlobs(input: StoredFile['input']): GivenInput {
+  if (input.kind === 'archive') return { ...input, archive: new Blob([input.archive]) };
+  return { ...input, files: input.files.map(({ path, content }) => ({ path, content: new Blob([content]) })) };
 }
 
 async function forgetOldest(): Promise<void> {
@@ -82,7 +118,7 @@ async function forgetOldest(): Promise<void> {
   for (const [index, kept] of (await keptFiles()).entries()) {
     bytes += kept.bytes;
     if (index >= MOST_KEPT || bytes > MOST_BYTES_IN_ALL)
-      await inStore<unknown>('readwrite', (store) => store.delete(kept.hash));
+      await inStore<unknown>('readwrite', (files) => files.delete(kept.hash));
   }
 }
 
