@@ -96,7 +96,7 @@ fn what_walls_cost_makes_no_difference() {
         solver.set_walls(&walls).expect("faces of the surface");
         solver.distance(&[source], &DistanceOptions::by(method), &mut go_on).expect("a source")
     };
-    let halves = |face: FaceId| if face.index() % 2 == 0 { 2.0 } else { 3.0 };
+    let halves = |face: FaceId| if face.index().is_multiple_of(2) { 2.0 } else { 3.0 };
     for method in [Method::Heat, Method::Propagation] {
         let expected = answer(costs(2.0, &halves), true, method).distance.values;
         for (of_wall, are_walls_first) in [(1.0, true), (1000.0, false), (0.001, true)] {
