@@ -275,8 +275,13 @@ function brotli(bytes) {
 /** By the page's own clock: what comes after the first picture is on its way a moment later. */
 async function untilReady() {
   await window.heatwalk.ready;
-  const addresses = performance.getEntriesByType('resource').map(({ name }) => name);
-  return { backend: window.heatwalk.backend, addresses };
+  const ready = performance.now();
+  const isViewer = ({ name }) => /viewer.*\.wasm/.test(name);
+  const loaded = () => performance.getEntriesByType('resource');
+  // A module may draw before the browser has entered its end.
+  while (!loaded().some(isViewer)) await new Promise((end) => setTimeout(end, 50));
+  const before = loaded().filter((entry) => entry.responseEnd <= ready || isViewer(entry));
+  return { backend: window.heatwalk.backend, addresses: before.map(({ name }) => name) };
 }
 
 async function measureWorker({ worker, module, mesh, parameters, windows, sources }) {

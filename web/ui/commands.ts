@@ -61,6 +61,7 @@ export function commandsOf(options: CommandsOptions): readonly Command[] {
   const { scene, view } = session;
   return [
     ...TOOLS.map(([which, key, name]) => command(name, [key], () => (tool.value = which))),
+    command(t('Measure from the walker to the source'), ['d'], () => measureWalk(session)),
     command(t('Brush on or off'), ['b'], () => (tool.value = ground.isOn ? 'source' : 'brush')),
     command(t('Smaller brush'), ['['], () => resizeBrush(ground, 1 / BRUSH_STEP)),
     command(t('Larger brush'), [']'], () => resizeBrush(ground, BRUSH_STEP)),
@@ -109,6 +110,13 @@ function moved({ cameraMoved }: CommandsOptions, move: () => void): void {
 function resizeBrush(ground: GroundEditor, factor: number): void {
   const radius = ground.brush.value.radius * factor;
   ground.set({ radius: Math.min(RADII[1], Math.max(RADII[0], radius)) });
+}
+
+/** A tape from the walker to the selected source, or else to the first. */
+function measureWalk({ scene }: Session): void {
+  const { sources, selected, tapes, walker } = scene.state;
+  const source = sources[selected] ?? sources[0];
+  if (walker && source) scene.edit({ tapes: [...tapes, { points: [walker, source], closed: false }] });
 }
 
 /** Cuts tetrahedra open, or closes them; a surface is filled. */

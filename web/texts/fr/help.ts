@@ -74,6 +74,7 @@ export const HELP: Texts = {
   hover: 'survol',
   'Tools: source, add, walker, measure': 'Outils : source, ajouter, marcheur, mesurer',
   buttons: 'boutons',
+  'Measure from the walker to the source': 'Mesurer du marcheur à la source',
   'Measure, with that tool': 'Mesurer, avec cet outil',
   'Close a tape': 'Fermer un ruban',
   'double-click, or its first place': 'double-clic, ou son premier point',

@@ -48,6 +48,7 @@ export const GESTURES: readonly Gesture[] = [
   { what: t('Read the distance'), mouse: t('hover'), touch: null, keys: t('arrows') },
   { what: t('Tools: source, add, walker, measure'), mouse: t('buttons'), touch: t('buttons'), keys: '1 2 3 M' },
   { what: t('Measure, with that tool'), mouse: t('click'), touch: t('tap'), keys: t('Enter') },
+  { what: t('Measure from the walker to the source'), mouse: 'D', touch: null, keys: 'D' },
   {
     what: t('Close a tape'),
     mouse: t('double-click, or its first place'),

@@ -16,9 +16,11 @@ import { measure as lengthWords, threeDigits, unitWords, withUnit } from '../../
 import { fileNameOf } from '../words';
 import { counted, enumerated, listed, t, type Words } from '../../texts';
 
-const CURVES: readonly (readonly [CurveFile['kind'], Words])[] = [
-  ['obj', t('Curves, OBJ')],
+type Curve = readonly [CurveFile['kind'], Words];
+/** First what comes at true scale into other programs. */
+const CURVES: readonly [Curve, ...Curve[]] = [
   ['dxf', t('Curves, DXF')],
+  ['obj', t('Curves, OBJ')],
   ['svg', t('Curves as seen, SVG')],
   ['pdf', t('Curves as seen, PDF')],
   ['csv', t('Curves, CSV')],
@@ -63,7 +65,8 @@ export function exportSection(session: Session): HTMLElement {
   const said = h('p', { class: 'quiet', role: 'status' });
   /** Disables a button while its work is under way, and tells why it failed. */
   const action: Action = (name, title, work) => {
-    const button = h('button', { class: 'wide', title }, name);
+    // It changes nothing, so that the search may do it at once.
+    const button = h('button', { class: 'wide', title, 'data-done-by-search': true }, name);
     button.addEventListener('click', () => {
       button.disabled = true;
       say(said, '');
@@ -143,7 +146,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
     const isolines = await measured(session).queries.isolines(wish());
     table.replaceChildren(tableOf(isolines, shownUnit(session)));
   };
-  let kind: CurveFile['kind'] = 'obj';
+  let [kind] = CURVES[0];
   const file = select(t('File'), CURVES, (value) => (kind = value));
   const saveFile = async () => {
     const unit = unitOfFile(kind, shownUnit(session));

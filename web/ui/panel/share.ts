@@ -60,7 +60,12 @@ function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
   return [
     h(
       'button',
-      { class: 'wide', title: t('Copy a link to this scene'), onclick: () => void give(link()) },
+      {
+        class: 'wide',
+        title: t('Copy a link to this scene'),
+        'data-done-by-search': true,
+        onclick: () => void give(link()),
+      },
       t('Copy link'),
     ),
     h(

@@ -112,7 +112,7 @@ function presetItems(opener: Opener): Item[] {
   }));
 }
 
-/** Settings, buttons and headings of the panel, to which the search leads. */
+/** Settings, buttons and headings of the panel, to which the search leads; what only saves or copies is done at once. */
 function settingItems(panel: Panel): Item[] {
   return [...panel.element.querySelectorAll<HTMLElement>(CONTROLS)].flatMap((control) => {
     if (control.closest('[hidden]:not([role=tabpanel])')) return [];
@@ -121,7 +121,12 @@ function settingItems(panel: Panel): Item[] {
     if (!section || name === '') return [];
     const input = control.matches('.field') ? control.querySelector<HTMLElement>('input, select, button') : control;
     const line = explanationOf(section.id.replace('section-', ''), name)?.line ?? control.title;
-    return input ? [{ name, place: placeOf(section, name), line: String(line), run: () => panel.reveal(input) }] : [];
+    if (!input) return [];
+    const run = () => {
+      panel.reveal(input);
+      if ('doneBySearch' in input.dataset) input.click();
+    };
+    return [{ name, place: placeOf(section, name), line: String(line), run }];
   });
 }
 
