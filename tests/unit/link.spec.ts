@@ -249,6 +249,12 @@ test('a scene without sources and walker differs from an unchanged one', () => {
   expect(throughLink(state)).toEqual(state);
 });
 
+test('stripes that change nothing stay so', () => {
+  const state: SceneState = { ...START, style: { ...START.style, maps: [] } };
+  expect(encodeLink(state, START)).toContain('maps=none');
+  expect(throughLink(state).style.maps).toEqual([]);
+});
+
 test('a file name with special characters survives the link, with its hash', () => {
   const mesh: MeshReference = { kind: 'file', name: 'my & mesh=1 ä+#.obj', hash: 'ab'.repeat(32) };
   const state = { ...emptyScene(mesh), sources: [{ vertex: 3 }] };

@@ -90,13 +90,14 @@ const FINISH: Codec<Finish> = {
   },
 };
 
-/** A letter each: colour, normal, emission, specular. */
+/** A letter each: colour, normal, emission, specular; `none` where there are none. */
 const MAP_LETTERS: Codec<readonly MapName[]> = {
   encode: (maps) =>
     MAPS.filter((map) => maps.includes(map))
       .map((map) => map[0])
-      .join(''),
-  parse: (text) => (/^[cnes]+$/.test(text) ? MAPS.filter((map) => text.includes(map.charAt(0))) : undefined),
+      .join('') || 'none',
+  parse: (text) =>
+    text === 'none' ? [] : /^[cnes]+$/.test(text) ? MAPS.filter((map) => text.includes(map.charAt(0))) : undefined,
 };
 
 /** Keys of which mesh it is, and how the page looks. */
