@@ -276,11 +276,14 @@ function brotli(bytes) {
 async function untilReady() {
   await window.heatwalk.ready;
   const ready = performance.now();
-  const isViewer = ({ name }) => /viewer.*\.wasm/.test(name);
-  const loaded = () => performance.getEntriesByType('resource');
+  const viewer = /viewer.*\.wasm/;
+  let loaded = performance.getEntriesByType('resource');
   // A module may draw before the browser has entered its end.
-  while (!loaded().some(isViewer)) await new Promise((end) => setTimeout(end, 50));
-  const before = loaded().filter((entry) => entry.responseEnd <= ready || isViewer(entry));
+  while (!loaded.some(({ name }) => viewer.test(name))) {
+    await new Promise((end) => setTimeout(end, 50));
+    loaded = performance.getEntriesByType('resource');
+  }
+  const before = loaded.filter(({ name, responseEnd }) => responseEnd <= ready || viewer.test(name));
   return { backend: window.heatwalk.backend, addresses: before.map(({ name }) => name) };
 }
 
