@@ -18,7 +18,10 @@ const ORDER = [
   'scripting',
   'embedding',
   'hosting',
+  'accessibility',
+  'reliability',
   'architecture',
+  'notes',
 ];
 const IMAGE_TYPES: Record<string, string> = {
   '.jpg': 'image/jpeg',
