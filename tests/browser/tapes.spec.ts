@@ -128,6 +128,7 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone, sha
   await page.keyboard.press('Delete');
   await expect.poll(async () => (await tapes(heatwalk)).length).toBe(1);
 
+  await heatwalk.forgetFiles();
   await heatwalk.openFile('square.off', off(grid(N)), new URL(address).hash.replace(/^#v=1&m=file&name=[^&]*&/, ''));
   await exact(heatwalk, 3);
   await expect(page.locator('.tape-label.sum')).toContainText('Σ 3.4 cm');

@@ -69,6 +69,8 @@ export function exportSection(session: Session): HTMLElement {
     const button = h('button', { class: 'wide', title, 'data-done-by-search': true }, name);
     button.addEventListener('click', () => {
       button.disabled = true;
+      // Told where it was asked for: the section is longer than a window.
+      button.after(said);
       say(said, '');
       void Promise.resolve()
         .then(work)
