@@ -48,10 +48,18 @@ export class Entries {
     });
     addEventListener('popstate', ({ state }) => {
       const entry = numberOf(state);
-      if (entry !== null) this.#follow(entry);
+      if (entry === null) return;
+      this.#keepState();
+      this.#follow(entry);
     });
-    addEventListener('hashchange', () => this.#followLink());
-    this.#followLink();
+    // A link that cannot be opened gives way to the scene that stays.
+    addEventListener('hashchange', () => {
+      if (location.hash === this.#known) return;
+      this.#keepState();
+      this.#follow(null);
+    });
+    // Who was faster than this module has gone to an entry, or followed a link, already; of which entry the scene is, nobody knows.
+    if (location.hash !== this.#known) this.#follow(numberOf(history.state));
     this.#rest();
   }
 
@@ -75,15 +83,14 @@ export class Entries {
     this.#timer = window.setTimeout(() => this.#write(), REST_MS);
   }
 
-  /** A link that cannot be opened gives way to the scene that stays. */
-  #followLink(): void {
-    if (location.hash !== this.#known) this.#follow(null);
+  /** What was changed since the entry was made is there on the way back to it. */
+  #keepState(): void {
+    if (this.#following === 0 && !this.#opener.awaited) this.#states.set(this.#at, this.#scene.state);
   }
 
+  /** Goes to what the address names, as an entry or as a new one. */
   #follow(entry: number | null): void {
     clearTimeout(this.#timer);
-    // What was changed since is there on the way forward.
-    if (this.#following === 0 && !this.#opener.awaited) this.#states.set(this.#at, this.#scene.state);
     this.#at = entry ?? this.#at + 1;
     this.#known = location.hash;
     this.#address.followWorkspace();
