@@ -1,7 +1,8 @@
 /** Every text of the page in French, and what workers say. */
 import type { Texts } from '../translate';
+import { ARCHIVES } from './archives';
 import { HELP } from './help';
-import { ARCHIVES, PAGE } from './page';
+import { PAGE } from './page';
 import { PANEL } from './panel';
 import { REPORTS as OF_MODULES } from './reports';
 
