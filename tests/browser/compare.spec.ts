@@ -94,28 +94,29 @@ test('two settings share a picture; the line between them moves, and is in the l
   await expect(page.locator('.message.error')).toHaveCount(0);
 });
 
-test('sides have the same time step where the linear solver differs; times are told once both were measured', async ({
-  heatwalk,
-  page,
-}) => {
-  await heatwalk.openFile('sheet.off', SHEET, SCENE);
-  const section = await openSection(page, 'compare');
-  await section.getByRole('button', { name: 'Cholesky and conjugate gradients' }).click();
-  await expect(section.locator('thead')).toHaveText('CholeskyConjugate gradients');
-  const cells = (name: string) => section.getByRole('row', { name }).getByRole('cell');
-  await expect(cells('Time step m')).toHaveText(['100', '100']);
-  // Noise alone: as solved, the two are the same.
-  await expect(cells('Largest difference')).toHaveText(/^(0|(< )?0\.0\d* %)$/);
-  await expect(section.getByRole('row', { name: 'Solve' })).toHaveCount(0);
-  await section.getByRole('button', { name: 'Measure times' }).click();
-  await expect(cells('Solve')).toHaveText([/\d ms$/, /\d ms$/]);
-  await expect(cells('Factor')).toHaveText([/\d ms$/, /\d ms$|–/]);
-  await section.getByRole('button', { name: 'Swap sides' }).click();
-  await expect(section.locator('thead')).toHaveText('Conjugate gradientsCholesky');
-  await expect(section.getByRole('row', { name: 'Solve' })).toHaveCount(0);
-});
+test(
+  'sides have the same time step where the linear solver differs; times are told once both were measured',
+  { tag: '@page' },
+  async ({ heatwalk, page }) => {
+    await heatwalk.openFile('sheet.off', SHEET, SCENE);
+    const section = await openSection(page, 'compare');
+    await section.getByRole('button', { name: 'Cholesky and conjugate gradients' }).click();
+    await expect(section.locator('thead')).toHaveText('CholeskyConjugate gradients');
+    const cells = (name: string) => section.getByRole('row', { name }).getByRole('cell');
+    await expect(cells('Time step m')).toHaveText(['100', '100']);
+    // Noise alone: as solved, the two are the same.
+    await expect(cells('Largest difference')).toHaveText(/^(0|(< )?0\.0\d* %)$/);
+    await expect(section.getByRole('row', { name: 'Solve' })).toHaveCount(0);
+    await section.getByRole('button', { name: 'Measure times' }).click();
+    await expect(cells('Solve')).toHaveText([/\d ms$/, /\d ms$/]);
+    await expect(cells('Factor')).toHaveText([/\d ms$/, /\d ms$|–/]);
+    await section.getByRole('button', { name: 'Swap sides' }).click();
+    await expect(section.locator('thead')).toHaveText('Conjugate gradientsCholesky');
+    await expect(section.getByRole('row', { name: 'Solve' })).toHaveCount(0);
+  },
+);
 
-test('a link opens both sides', async ({ heatwalk, page }) => {
+test('a link opens both sides', { tag: '@page' }, async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny&method=heat&near=0&t=1&refine=0&vs=t:1000,at:0.3');
   await drawn(heatwalk);
   const scene = await heatwalk.scene();
@@ -128,7 +129,7 @@ test('a link opens both sides', async ({ heatwalk, page }) => {
   await expect(line).toBeHidden();
 });
 
-test('two settings inside of tetrahedra share boundary and cut', async ({ heatwalk, page }) => {
+test('two settings inside of tetrahedra share boundary and cut', { tag: '@page' }, async ({ heatwalk, page }) => {
   // Behind a wall, where distances are not straight. Seen at right angles to the cut, which covers what is compared.
   const n = 8;
   const mesh = cubesMsh(n, (i, j) => j !== 1 || i === 0 || i === n - 1);

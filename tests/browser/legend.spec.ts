@@ -159,8 +159,9 @@ for (const [width, height] of [
 ]) {
   test(`it does not cover the model in a window of ${width} × ${height}`, async ({ heatwalk, page }) => {
     await page.setViewportSize({ width, height });
+    await heatwalk.open('#v=1&m=torus');
     for (const preset of ['bunny', 'teapot', 'horse', 'dragon', 'terrain']) {
-      await heatwalk.open(`#v=1&m=${preset}`);
+      await heatwalk.follow(`#v=1&m=${preset}`);
       await expect(legend(page)).toBeVisible();
       const box = await legend(page).boundingBox();
       if (!box) throw new Error('no legend');

@@ -10,6 +10,8 @@ import { expect, type HeatwalkPage, test } from '../page';
 import { texturedGlb } from '../textured';
 
 test.use({ deviceScaleFactor: 1 });
+// The longest tests of all come last: one core would wait for the other.
+test.describe.configure({ mode: 'parallel' });
 
 const REFERENCES = path.join(import.meta.dirname, '../pictures');
 /** Writes the reference images instead of comparing with them. */
@@ -31,8 +33,9 @@ const BLOCK = 4;
 const BLOCK_DIFFERENCE = 40;
 
 const VIEW = 'cam=-0.5,0.25,2.9,0,0,0';
-const PICTURES: readonly (readonly [name: string, link: string])[] = [
-  ...STYLES.map(({ name }) => [`look-${name}`, `m=bunny&look=${name}&${VIEW}`] as const),
+type Pictures = readonly (readonly [name: string, link: string])[];
+const LOOKS: Pictures = STYLES.map(({ name }) => [`look-${name}`, `m=bunny&look=${name}&${VIEW}`]);
+const OTHERS: Pictures = [
   ['background', `m=bunny&${VIEW}`],
   ['light-sky', `m=bunny&look=gold&around=sky&${VIEW}`],
   ['light-night', `m=bunny&look=zebra&around=night&light=40&${VIEW}`],
@@ -97,25 +100,30 @@ function compare(a: PNG, b: PNG): { clearly: number; mean: number; block: number
   return { clearly: clearly / (width * height), mean: sum / differences.length, block };
 }
 
-test('styles and overlays look like the reference images', async ({ heatwalk, page }) => {
-  test.setTimeout(600_000);
-  await page.emulateMedia({ colorScheme: 'light' });
-  await heatwalk.open('#v=1&m=teapot&kiosk=1');
-  const off: string[] = [];
-  for (const [name, link] of PICTURES) {
-    const drawn = await show(heatwalk, link, name !== 'background');
-    const file = path.join(REFERENCES, `${name}.png`);
-    if (WRITES) fs.writeFileSync(file, PNG.sync.write(drawn));
-    const { clearly, mean, block } = compare(drawn, PNG.sync.read(fs.readFileSync(file)));
-    if (clearly > CLEARLY_DIFFERENT || mean > MEAN_DIFFERENCE || block > BLOCK_DIFFERENCE) {
-      off.push(
-        `${name}: ${(100 * clearly).toFixed(2)} % clearly, ${mean.toFixed(2)} in the mean, ${block.toFixed(0)} in a block`,
-      );
-      fs.writeFileSync(test.info().outputPath(`${name}.png`), PNG.sync.write(drawn));
+for (const [what, pictures] of [
+  ['styles look', LOOKS],
+  ['overlays, lights and surroundings look', OTHERS],
+] as const) {
+  test(`${what} like the reference images`, async ({ heatwalk, page }) => {
+    test.setTimeout(600_000);
+    await page.emulateMedia({ colorScheme: 'light' });
+    await heatwalk.open('#v=1&m=teapot&kiosk=1');
+    const off: string[] = [];
+    for (const [name, link] of pictures) {
+      const drawn = await show(heatwalk, link, name !== 'background');
+      const file = path.join(REFERENCES, `${name}.png`);
+      if (WRITES) fs.writeFileSync(file, PNG.sync.write(drawn));
+      const { clearly, mean, block } = compare(drawn, PNG.sync.read(fs.readFileSync(file)));
+      if (clearly > CLEARLY_DIFFERENT || mean > MEAN_DIFFERENCE || block > BLOCK_DIFFERENCE) {
+        off.push(
+          `${name}: ${(100 * clearly).toFixed(2)} % clearly, ${mean.toFixed(2)} in the mean, ${block.toFixed(0)} in a block`,
+        );
+        fs.writeFileSync(test.info().outputPath(`${name}.png`), PNG.sync.write(drawn));
+      }
     }
-  }
-  expect(off).toEqual([]);
-});
+    expect(off).toEqual([]);
+  });
+}
 
 test('the materials of a file look like the reference image, stripes over them and multiplied with them', async ({
   heatwalk,
