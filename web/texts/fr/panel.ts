@@ -246,10 +246,12 @@ export const PANEL: Texts = {
   'Takes away all that is painted, and all walls': 'Enlève tout ce qui est peint, et tous les murs',
   Clear: 'Effacer',
   Slope: 'Pente',
-  'Tobler’s hiking function': 'Fonction de marche de Tobler',
+  'Tobler’s hiking function, as the mean of uphill and downhill':
+    'Fonction de marche de Tobler, moyenne de la montée et de la descente',
   'Steep ground costs what Tobler’s hiking function says, as the mean of uphill and downhill. Up is {0}.':
     'Un terrain pentu coûte ce que dit la fonction de marche de Tobler, moyenne de la montée et de la descente. Le haut est {0}.',
-  'A hiker takes {0}, at 5 km/h on the flat.': 'Un marcheur met {0}, à 5 km/h sur le plat.',
+  'A hiker takes {0}, as the mean of uphill and downhill, at 5 km/h on the flat.':
+    'Un marcheur met {0}, moyenne de la montée et de la descente, à 5 km/h sur le plat.',
   '{0} min': '{0} min',
   '{0} h {1} min': '{0} h {1} min',
   Height: 'Altitude',
