@@ -535,5 +535,7 @@ export const PANEL: Texts = {
   'Distances are exact, so the straightened path is too.':
     'Les distances sont exactes, donc le chemin redressé l’est aussi.',
   'The surface is closed: all of these are the same.': 'La surface est fermée : tous ces choix reviennent au même.',
+  'All triangles are Delaunay, and none is thin: all of these are the same.':
+    'Tous les triangles sont de Delaunay et aucun n’est mince : tous ces choix reviennent au même.',
   'There is one source.': 'Il y a une seule source.',
 };
