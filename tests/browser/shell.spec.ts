@@ -146,6 +146,9 @@ test('what a file does not say of itself is asked over the model, and a tap corr
   await expect(button('m')).toHaveAttribute('aria-pressed', 'true');
   await expect(button('Z')).toHaveAttribute('aria-pressed', 'true');
   await expect(question).toContainText(/\d m from corner to corner\?/);
+  // A map has north along Y.
+  const legend = page.getByRole('region', { name: 'Legend' }).getByRole('img');
+  await expect(legend).toHaveAttribute('aria-label', /Up is Z\. North is Y\.$/);
   await button('ft').click();
   await expect(question).toContainText(/\d ft from corner to corner\?/);
   await expect.poll(() => page.url()).toContain('&unit=ft');
