@@ -148,10 +148,11 @@ const keys = new Keys({
 followPaste(opener);
 followLaunches(openFiles);
 
+const head = heading(session, { open: menu, search, share: address.kiosk ? null : () => panel?.show('share'), help });
 const bar = toolbar(session, tool, over, address.kiosk ? null : workspace, pinned, () => cutOpen(session, opener));
 page.append(
   comparing.layer,
-  heading(session, { open: menu, search, share: address.kiosk ? null : () => panel?.show('share'), help }),
+  head,
   h('section', { class: 'foot', 'aria-label': t('Tools') }, hint.element, bar),
   messages.element,
   loadingBar(session),
@@ -188,7 +189,7 @@ if (!address.kiosk) {
   panel = workspacePanel(parts, workspace, pinned, first.promise);
   page.append(panel.element);
 }
-followInsets(view, bar, panel?.element ?? null);
+followInsets(view, head, bar, panel?.element ?? null);
 overlays.follow();
 session.turntable.watch((turns, turned) => {
   if (turned && !turns) frames.cameraMoved();
