@@ -99,22 +99,23 @@ function meets(a: Box, b: Box): boolean {
   );
 }
 
-/** Whether a box and a convex polygon, clockwise on the screen, have a place in common. */
+/** Whether a box and a convex polygon, clockwise on the screen, have a place in common: no side of either lies between them. */
 function covers({ x, y, width, height }: Box, outline: readonly Pixel[]): boolean {
-  const corners = [-1, 1].flatMap((right) =>
-    [-1, 1].map((down): Pixel => [x + (right * width) / 2, y + (down * height) / 2]),
-  );
-  const isBeyond = (at: Pixel, index: number) => {
+  const [left, right, top, bottom] = [x - width / 2, x + width / 2, y - height / 2, y + height / 2];
+  const xs = outline.map(([across]) => across);
+  const ys = outline.map(([, down]) => down);
+  if (Math.max(...xs) < left || Math.min(...xs) > right || Math.max(...ys) < top || Math.min(...ys) > bottom)
+    return false;
+  const corners: Pixel[] = [
+    [left, top],
+    [right, top],
+    [right, bottom],
+    [left, bottom],
+  ];
+  return !outline.some((at, index) => {
     const next = entry(outline, (index + 1) % outline.length);
     return corners.every((corner) => turn(at, next, corner) < 0);
-  };
-  const across = [0, 1].some((axis) => {
-    const [values, ends] = [outline, corners].map((points) => points.map((point) => entry(point, axis)));
-    return (
-      Math.max(...(values ?? [])) < Math.min(...(ends ?? [])) || Math.min(...(values ?? [])) > Math.max(...(ends ?? []))
-    );
   });
-  return !across && !outline.some(isBeyond);
 }
 
 /** The convex polygon around points, clockwise on the screen (Andrew's monotone chain). */
