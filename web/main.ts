@@ -15,6 +15,7 @@ import { FIRST_PRESET } from './state/presets';
 import { Scene } from './state/history';
 import { Signal } from './state/signal';
 import { type Tool, WORKSPACE_OF } from './state/tool';
+import type { Workspace } from './state/workspace';
 import { commandsOf, cutOpen } from './ui/commands';
 import { h } from './ui/dom';
 import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
@@ -69,6 +70,8 @@ const address = new Address(scene);
 const known = location.hash;
 const readout = new Readout(session);
 const { workspace } = address;
+/** What stays beside the open one, where the window has room. */
+const pinned = new Signal<Workspace | null>(null);
 
 const hint = hints(session);
 const overlays = new Overlays(session);
@@ -110,12 +113,13 @@ const brush = new BrushInput(session, ground, tool);
 // A tool and its settings are there together.
 tool.watch((chosen) => {
   const home = WORKSPACE_OF[chosen];
-  if (home) workspace.value = home;
+  if (home && home !== pinned.value) workspace.value = home;
 });
-workspace.watch((open) => {
+const putAway = () => {
   const home = WORKSPACE_OF[tool.value];
-  if (home && home !== open) tool.value = 'source';
-});
+  if (home && home !== workspace.value && home !== pinned.value) tool.value = 'source';
+};
+for (const each of [workspace, pinned]) each.watch(putAway);
 new PointerInput({ session, readout, tool, brush, measure, draw, cameraMoved }).listen();
 const commands = commandsOf({
   session,
@@ -144,10 +148,11 @@ const keys = new Keys({
 followPaste(opener);
 followLaunches(openFiles);
 
-const bar = toolbar(session, tool, over, address.kiosk ? null : workspace, () => cutOpen(session, opener));
+const head = heading(session, { open: menu, search, share: address.kiosk ? null : () => panel?.show('share'), help });
+const bar = toolbar(session, tool, over, address.kiosk ? null : workspace, pinned, () => cutOpen(session, opener));
 page.append(
   comparing.layer,
-  heading(session, { open: menu, search, share: address.kiosk ? null : () => panel?.show('share'), help }),
+  head,
   h('section', { class: 'foot', 'aria-label': t('Tools') }, hint.element, bar),
   messages.element,
   loadingBar(session),
@@ -181,10 +186,10 @@ if (!address.kiosk) {
     legend: over.legend,
     girth: async () => (await over.girth()).section,
   };
-  panel = workspacePanel(parts, workspace, first.promise);
+  panel = workspacePanel(parts, workspace, pinned, first.promise);
   page.append(panel.element);
 }
-followInsets(view, bar, panel?.element ?? null);
+followInsets(view, head, bar, panel?.element ?? null);
 overlays.follow();
 session.turntable.watch((turns, turned) => {
   if (turned && !turns) frames.cameraMoved();

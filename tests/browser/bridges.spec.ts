@@ -58,7 +58,8 @@ test('what is apart is bridged as far as a link says', async ({ heatwalk, page }
 test('what is apart is linked group by group, nearest first, by a link of the page too', async ({ heatwalk, page }) => {
   const row = [0, 2.4, 5, 7.3].map((z) => sphere(24, [0, 0, z]));
   const file = obj(Object.fromEntries(row.map((ball, index) => [`ball${index}`, ball])));
-  await heatwalk.openFile('row.obj', file, 's=0&method=auto');
+  await heatwalk.openFile('row.obj', file, 's=0&method=auto&bridge=off');
+  await expect(page.locator('.message.summary p').first()).toHaveText(/ in 4 pieces\.$/);
   await heatwalk.settled();
   const apart = await page.evaluate(unreached);
   const linkNearest = page.getByRole('button', { name: 'Link nearest' });

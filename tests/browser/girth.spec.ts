@@ -32,10 +32,13 @@ test('a plane is moved by hand, and the girth follows it into the panel, files, 
   await page.mouse.move(x + 16, y - 24, { steps: 4 });
   await page.mouse.up();
   await expect.poll(length).toBeLessThan(2 * Math.PI * (RING + TUBE) * 0.99);
-  const { place } = await page.evaluate(() => window.heatwalk.scene.girth ?? { place: NaN });
-  const half = Math.sqrt(TUBE ** 2 - (place * TUBE) ** 2);
-  await heatwalk.settled();
-  expect(Math.abs((await length()) / (2 * Math.PI * (RING + half)) - 1)).toBeLessThan(0.01);
+  const placed = () => page.evaluate(() => window.heatwalk.scene.girth?.place ?? NaN);
+  const off = async () => {
+    const half = Math.sqrt(TUBE ** 2 - ((await placed()) * TUBE) ** 2);
+    return Math.abs((await length()) / (2 * Math.PI * (RING + half)) - 1);
+  };
+  await expect.poll(off).toBeLessThan(0.01);
+  const place = await placed();
   await handle.press('ArrowUp');
   await expect.poll(() => page.evaluate(() => window.heatwalk.scene.girth?.place)).toBeCloseTo(place + 0.02, 6);
 
@@ -62,6 +65,20 @@ test('a plane is moved by hand, and the girth follows it into the panel, files, 
   // A link has it, and off is off.
   await heatwalk.open('#m=torus&girth=0,0,0&kiosk=1');
   await expect(label).toHaveText(/^2\.5/);
+  // The label of a tape there does not lie on that of the girth.
+  const tape = await page.evaluate(() => {
+    const { left, top } = document.querySelector('.girth-label')?.getBoundingClientRect() ?? new DOMRect();
+    const ends = [-6, 6].map((down) => window.heatwalk.placeAt(left - 6, top + down));
+    return ends.map((point) => point && 'face' in point && `${point.face}:${point.weights.join('/')}`).join();
+  });
+  await page.evaluate((wanted) => (location.hash += `&tape=${wanted}`), tape);
+  await expect(page.locator('.label > span:visible')).toHaveCount(2);
+  const [one, other] = await page
+    .locator('.label > span')
+    .evaluateAll((all) => all.map((span) => span.getBoundingClientRect()));
+  const apart =
+    one.right <= other.left || other.right <= one.left || one.bottom <= other.top || other.bottom <= one.top;
+  expect(apart).toBe(true);
   await heatwalk.open('#m=torus&girth=0,0,0');
   await openSection(page, 'girth');
   await section.getByText('Measure the girth').click();

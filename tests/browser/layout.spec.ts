@@ -19,6 +19,19 @@ function outside(page: Page): Promise<string[]> {
   );
 }
 
+/** Tools that something else lies over. */
+function covered(page: Page): Promise<(string | null)[]> {
+  return page.locator('.toolbar button').evaluateAll((buttons) =>
+    buttons
+      .filter((button) => button.checkVisibility())
+      .filter((button) => {
+        const { left, top, width, height } = button.getBoundingClientRect();
+        return !button.contains(document.elementFromPoint(left + width / 2, top + height / 2));
+      })
+      .map((button) => button.getAttribute('aria-label') ?? button.textContent),
+  );
+}
+
 test.describe('in a window of 1280 × 800 at 200 %', () => {
   test.use({ viewport: { width: 640, height: 400 } });
 
@@ -29,17 +42,7 @@ test.describe('in a window of 1280 × 800 at 200 %', () => {
     await page.emulateMedia({ forcedColors: 'active' });
     await heatwalk.open();
     expect(await outside(page)).toEqual([]);
-    const covered = () =>
-      page.locator('.toolbar button').evaluateAll((buttons) =>
-        buttons
-          .filter((button) => button.checkVisibility())
-          .filter((button) => {
-            const { left, top, width, height } = button.getBoundingClientRect();
-            return !button.contains(document.elementFromPoint(left + width / 2, top + height / 2));
-          })
-          .map((button) => button.getAttribute('aria-label')),
-      );
-    expect(await covered()).toEqual([]);
+    expect(await covered(page)).toEqual([]);
     await page.getByRole('button', { name: 'Expand the panel' }).click();
     expect(await outside(page)).toEqual([]);
     // What is a background alone has a color of the system.
@@ -54,8 +57,9 @@ test.describe('in a window of 1280 × 800 at 200 %', () => {
 test.describe('on a phone', () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
 
-  test('nothing lies outside the window, with the sheet at either stop', async ({ heatwalk, page }) => {
-    await heatwalk.open();
+  test('nothing lies outside the window, with the sheet at either stop, or sideways', async ({ heatwalk, page }) => {
+    // A long heading, and a message that stays.
+    await heatwalk.open('#v=1&m=bunny&method=heat&refine=0&open=kitchen');
     expect(await outside(page)).toEqual([]);
     await page.getByRole('button', { name: 'Expand the panel' }).tap();
     await expect(page.getByRole('button', { name: 'Open a file…' })).toBeVisible();
@@ -69,6 +73,21 @@ test.describe('on a phone', () => {
     const frame = await page.getByRole('button', { name: 'Frame' }).boundingBox();
     const sheet = await page.locator('.panel').boundingBox();
     expect((frame?.y ?? 0) + (frame?.height ?? 0)).toBeLessThanOrEqual(sheet?.y ?? 0);
+    const message = await page.getByText('open=kitchen is invalid').boundingBox();
+    expect((message?.y ?? 0) + (message?.height ?? 0)).toBeLessThanOrEqual(sheet?.y ?? 0);
+
+    await page.setViewportSize({ width: 844, height: 390 });
+    await page.getByRole('button', { name: 'Close the message' }).first().tap();
+    for (const name of ['Scene', 'Ground', 'Inside']) {
+      await page.getByRole('tab', { name }).tap();
+      expect(await outside(page), name).toEqual([]);
+      expect(await covered(page), name).toEqual([]);
+    }
+    // The model is between the heading and the tools.
+    const heading = await page.locator('.heading').boundingBox();
+    const tools = await page.getByRole('toolbar').boundingBox();
+    const [, middle] = await page.evaluate(() => window.heatwalk.centre);
+    expect(2 * middle).toBeCloseTo((heading?.y ?? 0) + (heading?.height ?? 0) + (tools?.y ?? 0), 0);
   });
 
   test('a tap sets the source, with the Add tool it adds one, a long press places the walker', async ({

@@ -46,6 +46,43 @@ test('a tool opens its workspace, and is put away with it', async ({ heatwalk, p
   await expect(tool('Cut')).toBeVisible();
 });
 
+test('a workspace that is pinned stays beside the next one in a wide window, with its tool, and after a reload', async ({
+  heatwalk,
+  page,
+}) => {
+  await page.setViewportSize({ width: 1600, height: 800 });
+  await heatwalk.open('#v=1&m=icosphere&open=measure');
+  const tab = (name: string) => page.getByRole('tab', { name, exact: true });
+  const pin = page.getByRole('button', { name: 'Pin Measure' });
+  const beside = page.getByRole('region', { name: 'Measure', exact: true });
+  const middle = async () => (await page.evaluate(() => window.heatwalk.centre))[0];
+  const alone = await middle();
+  await pin.press('Enter');
+  await expect(pin).toHaveAttribute('aria-pressed', 'true');
+  await page.keyboard.press('m');
+  await tab('Look').click();
+  await expect(page.getByRole('tabpanel', { name: 'Look' })).toBeVisible();
+  await expect(beside).toBeVisible();
+  // The tool of what is pinned stays, and the model is in the middle of what both leave.
+  await expect(page.getByRole('button', { name: 'Measure' }).first()).toHaveAttribute('aria-pressed', 'true');
+  await expect.poll(middle).toBe(alone - (684 - 348) / 2);
+  await expect(page.getByRole('button', { name: /^Pin / })).toHaveCount(1);
+
+  await heatwalk.open('#v=1&m=icosphere&open=solve');
+  await expect(beside).toBeVisible();
+  // A tool opens no workspace that is there already.
+  await page.keyboard.press('m');
+  await expect(tab('Solver')).toHaveAttribute('aria-selected', 'true');
+  await page.setViewportSize({ width: 1400, height: 800 });
+  await expect(beside).toHaveCount(0);
+  await expect(pin).toBeHidden();
+  await page.setViewportSize({ width: 1600, height: 800 });
+  await pin.press('Enter');
+  await expect(beside).toHaveCount(0);
+  await expect(page.getByRole('button', { name: 'Pin Solver' })).toBeFocused();
+  await expect.poll(middle).toBe(alone);
+});
+
 test('the search finds settings by name and by what is said of them, commands with their keys, and presets', async ({
   heatwalk,
   page,
@@ -146,6 +183,9 @@ test('what a file does not say of itself is asked over the model, and a tap corr
   await expect(button('m')).toHaveAttribute('aria-pressed', 'true');
   await expect(button('Z')).toHaveAttribute('aria-pressed', 'true');
   await expect(question).toContainText(/\d m from corner to corner\?/);
+  // A map has north along Y.
+  const legend = page.getByRole('region', { name: 'Legend' }).getByRole('img');
+  await expect(legend).toHaveAttribute('aria-label', /Up is Z\. North is Y\.$/);
   await button('ft').click();
   await expect(question).toContainText(/\d ft from corner to corner\?/);
   await expect.poll(() => page.url()).toContain('&unit=ft');

@@ -183,3 +183,19 @@ test('the scripting API gives gradients and heat', async ({ heatwalk, page }) =>
   expect(Math.max(...seen.logarithm)).toBe(0);
   expect(seen.logarithm[at(N, N)]).toBeLessThan(-2);
 });
+
+test('where all triangles are Delaunay, the choice of the operator says that it changes nothing', async ({
+  heatwalk,
+  page,
+}) => {
+  const solver = page.locator('#section-solver');
+  const reason = 'All triangles are Delaunay, and none is thin: all of these are the same.';
+  await heatwalk.openFile('sheared.off', SHEARED, 's=0&method=heat&t=1');
+  await expect(solver).toContainText('Heat flows');
+  await expect(solver).not.toContainText(reason);
+  await page.evaluate(() => (location.hash = '#v=1&m=icosphere&method=heat&t=1'));
+  await expect(solver).toContainText(reason);
+  // The distance of the automatic time step is made otherwise with the Delaunay triangulation.
+  await page.evaluate(() => (location.hash = '#v=1&m=icosphere&method=heat'));
+  await expect(solver).not.toContainText(reason);
+});

@@ -88,12 +88,16 @@ test('another path over the same field does not solve again', async () => {
 
 test('components are joined before the first question, and again only by another rule or number of links', async () => {
   const { engine: it, calls } = engine(2);
+  // What does not join components still counts them.
+  await it.ask({ ...QUESTION, bridge: 'off' });
   await it.ask(QUESTION);
   await it.ask({ ...QUESTION, sources: [{ vertex: 3 }] });
   await it.ask({ ...QUESTION, bridge: 0.5 });
   await it.ask({ ...QUESTION, bridge: 'off' });
   await it.ask({ ...QUESTION, bridge: 'off', links: 2 });
   expect(calls).toEqual([
+    'bridge off 0',
+    'solve descent',
     'bridge auto 0',
     'solve descent',
     'solve descent',

@@ -3,6 +3,9 @@ import { entry } from '../../web/state/entry';
 import { MODEL } from '../../web/length';
 import { coverage, largestWords, roundBelow, roundStep, ticksOf, titleWords } from '../../web/state/legend';
 import { STYLES } from '../../web/state/styles';
+import type { Content } from '../../web/ui/stage/content';
+import { drawLegend } from '../../web/ui/stage/draw';
+import type { PlaneContext } from '../../web/view/view';
 
 const distance = (most: number) => ({ kind: 'distance' as const, most, isCost: false });
 const told = (ticks: ReturnType<typeof ticksOf>) => ticks.map(({ text }) => String(text));
@@ -48,4 +51,35 @@ test('bands lie in the middle of each period, lines at its ends, and what is too
   expect(coverage(contour, 2, 7.2, 0.01)).toBeCloseTo(0.45, 6);
   expect(coverage(contour, 2, 7.1, 0.01)).toBe(0);
   expect(coverage({ ...zebra, pattern: 'none' }, 2, 0.5, 0.01)).toBe(0);
+});
+
+test('the needle points north as the map lies on the screen, its letter beyond it', () => {
+  const corners: number[][] = [];
+  const letters: [string, number, number][] = [];
+  const done = {
+    lineTo: (x: number, y: number) => corners.push([x, y]),
+    fillText: (text: string, x: number, y: number) => letters.push([text, x, y]),
+  };
+  const context = new Proxy(
+    {},
+    { get: (_, name) => Reflect.get(done, name) ?? (() => ({ width: 0 })), set: () => true },
+  );
+  const content: Content = {
+    isCompact: false,
+    bar: null,
+    spacing: '',
+    scale: null,
+    axes: [],
+    north: { north: [0.6, -0.8, 0], east: [0.8, 0.6, 0] },
+    words: '',
+  };
+  const look = { font: '', text: '', plate: '', line: '', axes: {} };
+  drawLegend(context as PlaneContext, content, look, 1);
+  const [tip] = corners;
+  expect(tip[0] / tip[1]).toBeCloseTo(-0.75, 12);
+  expect(tip[1]).toBeLessThan(-10);
+  const [[letter, x, y]] = letters;
+  expect([letter, letters.length]).toEqual(['N', 1]);
+  expect(x / y).toBeCloseTo(-0.75, 12);
+  expect(y).toBeLessThan(tip[1]);
 });

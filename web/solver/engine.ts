@@ -146,9 +146,10 @@ export class Engine {
   /** Whether it can be asked by the heat method. */
   readonly isFactored: boolean;
   #parameters: Parameters | null;
-  /** What the worker has joined, and in which pose parts meet there; null: in that of the file. */
-  #bridge: Bridge = 'off';
+  /** The rule by which the worker has joined components; null: by none yet, and it knows no groups to link. */
+  #bridge: Bridge | null = null;
   #links = 0;
+  /** The pose in which they meet there; null: that of the file. */
   #joinedAt: Moment | null = null;
   #ground = LEVEL;
   #inside = WHOLE;

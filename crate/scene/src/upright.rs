@@ -6,14 +6,16 @@ use std::f64::consts::TAU;
 use glam::{DVec2, DVec3};
 use heatwalk::{Soup, Up};
 
-/// A model stands on its lowest layer, so thick in heights of the model.
-const LAYER: f64 = 0.005;
+/// A model stands on its lowest layer, so thick in heights of the model: the feet of scans are not level.
+const LAYER: f64 = 0.02;
 /// Least share of the rectangle around the footprint that the hull of the lowest layer covers.
 const BROAD: f64 = 0.25;
 /// Least height along Z in diagonals: a sheet across Z is more often a picture than a floor.
 const TALL: f64 = 0.05;
 /// Least share of the hull that triangles cover: table legs do, the rim of a bowl and the edge of a terrain do not.
 const SOLID: f64 = 0.01;
+/// Least cosine between the axis and the normals of triangles that count there: the side of a terrain is no floor, however fine its grid.
+const LEVEL: f64 = 0.7;
 /// Directions in which the hull is looked for: of a disc, it is found but for a hundredth.
 const DIRECTIONS: usize = 32;
 
@@ -67,7 +69,9 @@ impl Body {
         let center = ground(self.centroid);
         let is_above = edges().all(|(p, q)| (q - p).perp_dot(center - p) >= 0.0);
         let floor = triangles(soup).filter(|corners| corners.iter().all(|point| point[axis] <= top));
-        let covered: f64 = floor.map(|[a, b, c]| 0.5 * (b - a).cross(c - a)[axis].abs()).sum();
+        let normals = floor.map(|[a, b, c]| (b - a).cross(c - a));
+        let level = normals.filter(|normal| normal[axis].abs() >= LEVEL * normal.length());
+        let covered: f64 = level.map(|normal| 0.5 * normal[axis].abs()).sum();
         (is_above && area >= BROAD * self.extent[u] * self.extent[v]).then(|| covered / area)
     }
 }
@@ -143,6 +147,11 @@ mod tests {
         table.extend([(0.0, 0.0), (1.0, 0.0), (0.0, 0.7), (1.0, 0.7)].map(|(x, y)| foot(x, y)));
         table.push([[0.5, 1.15, 1.1], [0.6, 1.4, 1.3]]);
         table.push([[0.5, -0.5, 1.0], [0.6, -0.2, 1.2]]);
+        assert_eq!(upright(&boxes(&table)), Up::Z);
+        // One that was scanned on uneven ground.
+        for (foot, lift) in table[1..5].iter_mut().zip([0.0, 0.008, 0.02, 0.012]) {
+            foot[0][2] += lift;
+        }
         assert_eq!(upright(&boxes(&table)), Up::Z);
     }
 

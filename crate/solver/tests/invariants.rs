@@ -66,6 +66,31 @@ fn laplacian_rows_sum_to_zero() {
 }
 
 #[test]
+fn operators_agree_where_all_triangles_are_delaunay_and_none_is_thin() {
+    let moved = |mut soup: Soup, along: DVec3| {
+        soup.positions[60] += along;
+        soup
+    };
+    let cases = [
+        (shapes::icosphere(3), true),
+        (square(10), true),
+        (moved(square(10), DVec3::new(0.07, -0.05, 0.0)), false),
+        (moved(square(10), DVec3::new(0.0, 0.0, 5.0)), false),
+        (band(40, 1), false),
+    ];
+    for (soup, agree) in cases {
+        let surface = surface(&soup);
+        let [delaunay, plain, relocated] = [Operator::Delaunay, Operator::Plain, Operator::Relocate]
+            .map(|operator| Operators::new(&surface, operator).laplacian().clone());
+        let is_same = [plain, relocated].iter().all(|other| {
+            let weights = delaunay.stiffness.values().iter().zip(other.stiffness.values());
+            other.rows() == delaunay.rows() && weights.into_iter().all(|(a, b)| (a - b).abs() < 1e-12)
+        });
+        assert_eq!((is_same, Operators::agree(&surface)), (agree, agree), "{}", surface.face_count());
+    }
+}
+
+#[test]
 fn motion_and_scale_do_not_matter() {
     for soup in samples() {
         let before = values(&soup);

@@ -22,6 +22,8 @@ pub struct Contents {
     /// The axis that points up by the rules of the format, or by the shape.
     #[typescript("Up")]
     pub upright: &'static str,
+    /// Whether it is a terrain, as far as only the shape tells: a height field over the map, north along Y.
+    pub is_terrain: bool,
 }
 
 /// A part of a file.

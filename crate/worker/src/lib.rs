@@ -49,6 +49,7 @@ pub struct MeshFile {
     up: Up,
     /// Of a file; a shape has none.
     unit: LengthUnit,
+    is_terrain: bool,
 }
 
 /// What another module has packed.
@@ -57,11 +58,17 @@ fn unpacked(packed: &[u8]) -> Result<Model> {
 }
 
 impl MeshFile {
+    /// Of no unit, with Y up.
+    fn plain(model: Model) -> Self {
+        Self { model, up: Up::Y, unit: LengthUnit::default(), is_terrain: false }
+    }
+
     /// The unit is assumed where the model says none, and what points up found by the shape where that is not known.
     fn of_unknown_unit(model: Model, up: Option<String>) -> Result<Self> {
+        let is_terrain = up.is_none() && model.soup.is_terrain();
         let up = up.map(|up| up.parse()).transpose()?.unwrap_or_else(|| upright(&model.soup));
         let unit = model.soup.length_unit(UnitRule::Automatic);
-        Ok(Self { model, up, unit })
+        Ok(Self { model, up, unit, is_terrain })
     }
 }
 
@@ -77,19 +84,19 @@ impl MeshFile {
 
     /// Takes what the module that makes shapes has made.
     pub fn made(packed: &[u8]) -> Result<Self> {
-        Ok(Self { model: unpacked(packed)?, up: Up::Y, unit: LengthUnit::default() })
+        Ok(Self::plain(unpacked(packed)?))
     }
 
     /// A sphere of ten thousand points to warm up on: enough for every kernel to run often, and over before anybody opens a mesh.
     pub fn sphere() -> Self {
-        Self { model: icosphere(5).into(), up: Up::Y, unit: LengthUnit::default() }
+        Self::plain(icosphere(5).into())
     }
 
     /// Takes triangles as they are: `positions` is `#V × 3`, `triangles` is `#F × 3`.
     pub fn arrays(name: &str, positions: &[f32], triangles: &[u32]) -> Self {
         let positions = positions.as_chunks().0.iter().map(|&[x, y, z]| DVec3::new(x.into(), y.into(), z.into()));
         let soup = Soup::single(name, positions.collect(), triangles.as_chunks().0.to_vec());
-        Self { model: soup.into(), up: Up::Y, unit: LengthUnit::default() }
+        Self::plain(soup.into())
     }
 
     /// Takes triangles in double precision: `positions` is `#V × 3`, `triangles` is `#F × 3`. `up`: what points up, by the shape where
@@ -133,6 +140,7 @@ impl MeshFile {
             unit: self.unit.unit.map_or("", Unit::symbol).to_owned(),
             unit_assumed: self.unit.is_assumed,
             upright: self.up.name(),
+            is_terrain: self.is_terrain,
         }
     }
 
@@ -172,7 +180,8 @@ impl MeshFile {
 
     /// The same file in other triangles, `#F × 3`, over the vertices of an outline of it: one part, in no materials.
     pub fn simplified(&self, outline: &Outline, name: &str, triangles: &[u32]) -> Result<Self> {
-        Ok(Self { model: outline.with_triangles(name, triangles)?, up: self.up, unit: self.unit })
+        let model = outline.with_triangles(name, triangles)?;
+        Ok(Self { model, up: self.up, unit: self.unit, is_terrain: self.is_terrain })
     }
 
     /// The surface formed by the parts `active`, to be drawn with the axis `up` upward.

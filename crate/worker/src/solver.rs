@@ -10,6 +10,7 @@ mod values;
 use std::num::NonZeroU16;
 use std::sync::Arc;
 
+use heatwalk::operator::Operators;
 use heatwalk::{
     DistanceOptions, DistanceSolver, EdgeKind, FaceField, HeatSolver, Method, Parameters, Path, PathSearch, Progress,
     Surface, Windows, go_on,
@@ -193,6 +194,11 @@ impl Solver {
     pub fn links_to_reach_more(&mut self) -> Result<u32> {
         let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
         Ok(self.solver.links_to_reach_more(solved.solution.answer()) as u32)
+    }
+
+    /// Whether what is factored is the same for every operator.
+    pub fn operators_agree(&self) -> bool {
+        self.solver.heat().is_some_and(|heat| Operators::agree(heat.surface()))
     }
 
     /// Stored entries of all Cholesky factors together; 0 where nothing is factored.

@@ -53,6 +53,8 @@ export const ARCHIVES: Texts = {
   Stroke: 'Trait',
   Part: 'Pièce',
   Cut: 'Coupe',
+  'Pin {0}': 'Épingler {0}',
+  'Keeps this workspace beside the next one': 'Garde cet espace de travail à côté du prochain',
   'Tools of the workspace': 'Outils de l’espace de travail',
   'The lengths in the file are in {0}': 'Les longueurs du fichier sont en {0}',
   '{0} points up': '{0} pointe vers le haut',

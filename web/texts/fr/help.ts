@@ -120,8 +120,8 @@ export const HELP: Texts = {
     'Ce que coûte une unité de longueur là où c’est peint ; 1 est le terrain nu.',
   'Radius of the brush.': 'Rayon du pinceau.',
   'Share of the brush in which the cost fades out.': 'Part du pinceau où le coût s’estompe.',
-  'Steep ground costs what a hiker takes there, by Tobler’s hiking function.':
-    'Un terrain pentu coûte ce qu’y met un marcheur, par la fonction de marche de Tobler.',
+  'Steep ground costs what a hiker takes there, as the mean of uphill and downhill, by Tobler’s hiking function.':
+    'Un terrain pentu coûte ce qu’y met un marcheur, moyenne de la montée et de la descente, par la fonction de marche de Tobler.',
   'What the highest place costs, as a multiple of the lowest.':
     'Ce que coûte l’endroit le plus haut, en multiple du plus bas.',
   'About how many fill what the surface encloses; more are slower and closer to the surface.':

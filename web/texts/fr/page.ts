@@ -47,6 +47,7 @@ export const PAGE: Texts = {
   'Lines {0} apart': 'Lignes tous les {0}',
   'Scale bar: {0}.': 'Échelle : {0}.',
   'Up is {0}.': 'Le haut est {0}.',
+  'North is Y.': 'Le nord est Y.',
   'Maximum distance {0}.': 'Distance maximale {0}.',
   'Path {0}.': 'Chemin {0}.',
   'Keys, gestures, documents (?)': 'Touches, gestes, documents (?)',

@@ -246,10 +246,12 @@ export const PANEL: Texts = {
   'Takes away all that is painted, and all walls': 'Enlève tout ce qui est peint, et tous les murs',
   Clear: 'Effacer',
   Slope: 'Pente',
-  'Tobler’s hiking function': 'Fonction de marche de Tobler',
+  'Tobler’s hiking function, as the mean of uphill and downhill':
+    'Fonction de marche de Tobler, moyenne de la montée et de la descente',
   'Steep ground costs what Tobler’s hiking function says, as the mean of uphill and downhill. Up is {0}.':
     'Un terrain pentu coûte ce que dit la fonction de marche de Tobler, moyenne de la montée et de la descente. Le haut est {0}.',
-  'A hiker takes {0}, at 5 km/h on the flat.': 'Un marcheur met {0}, à 5 km/h sur le plat.',
+  'A hiker takes {0}, as the mean of uphill and downhill, at 5 km/h on the flat.':
+    'Un marcheur met {0}, moyenne de la montée et de la descente, à 5 km/h sur le plat.',
   '{0} min': '{0} min',
   '{0} h {1} min': '{0} h {1} min',
   Height: 'Altitude',
@@ -533,5 +535,7 @@ export const PANEL: Texts = {
   'Distances are exact, so the straightened path is too.':
     'Les distances sont exactes, donc le chemin redressé l’est aussi.',
   'The surface is closed: all of these are the same.': 'La surface est fermée : tous ces choix reviennent au même.',
+  'All triangles are Delaunay, and none is thin: all of these are the same.':
+    'Tous les triangles sont de Delaunay et aucun n’est mince : tous ces choix reviennent au même.',
   'There is one source.': 'Il y a une seule source.',
 };

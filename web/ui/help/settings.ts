@@ -81,7 +81,9 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
     Size: about(t('Radius of the brush.'), 'page#ground'),
     'Soft edge': about(t('Share of the brush in which the cost fades out.'), 'page#ground'),
     Slope: about(
-      t('Steep ground costs what a hiker takes there, by Tobler’s hiking function.'),
+      t(
+        'Steep ground costs what a hiker takes there, as the mean of uphill and downhill, by Tobler’s hiking function.',
+      ),
       'method#costs-and-walls',
     ),
     Height: about(t('What the highest place costs, as a multiple of the lowest.'), 'method#costs-and-walls'),

@@ -10,18 +10,15 @@ import { anglesOf, type CutPlane, INSIDE_RANGES } from '../../state/inside';
 import { measure } from '../../state/measures';
 import { counted, sentences, t, type Words } from '../../texts';
 import { save } from '../../view/picture';
-import type { PlaneContext } from '../../view/view';
 import { attribute, h, say, select, slider, toggle } from '../dom';
 import { CutHandle } from '../cut';
-import { printLabel } from '../print';
 import { fileNameOf, percent } from '../words';
+import { labelElement, standing } from './standing';
 
 /** The girth, and other curves of the plane, on a dark rim. */
 const RIM = { colour: '#101418', width: 5 };
 const GIRTH = { colour: '#ff4fd8', width: 2.5 };
 const OTHERS = { colour: '#ffb3ee', width: 1.6 };
-/** Between a curve and what is said of it, CSS pixels. */
-const GAP = 10;
 /** A drag or a key that repeats comes back within; milliseconds. */
 const REST_MS = 700;
 
@@ -39,7 +36,7 @@ export class GirthTool {
   readonly #session: Session;
   readonly #girths: Girths;
   readonly #handle: CutHandle;
-  readonly #label = h('div', { class: 'girth-label', hidden: true }, h('span'));
+  readonly #label = labelElement('girth-label', '');
   readonly #spoken = h('p', { class: 'unseen', 'aria-live': 'polite' });
   readonly #figures = h('p', { class: 'girth-figures' });
   #speaking: ReturnType<typeof setTimeout> | undefined;
@@ -61,7 +58,10 @@ export class GirthTool {
       this.#spoken,
     );
     this.section = this.#controls();
-    session.view.overprints.push((context) => this.#print(context));
+    standing(session).add({ labels: () => [this.#label], taken: () => [] });
+    session.view.overprints.push((context) => {
+      if (!this.#label.hidden) standing(session).print(context, this.#label);
+    });
     this.#girths.loops.watch(() => this.#show());
     session.scene.subscribe((state, previous) => {
       if (!isSameUnit(state, previous)) this.#show();
@@ -82,10 +82,8 @@ export class GirthTool {
       .filter((pixel) => pixel !== null);
     const right = pixels.reduce((one, other) => (other[0] > one[0] ? other : one), pixels[0] ?? [0, 0]);
     this.#label.hidden = pixels.length === 0;
-    const { centre, free } = this.#session.view;
-    // Not below the panel.
-    const most = centre[0] + free / 2 - GAP - (this.#label.firstElementChild?.getBoundingClientRect().width ?? 0);
-    this.#label.style.transform = `translate(${Math.min(right[0] + GAP, most).toFixed(1)}px, ${right[1].toFixed(1)}px)`;
+    this.#label.style.transform = `translate(${right[0].toFixed(1)}px, ${right[1].toFixed(1)}px)`;
+    standing(this.#session).place();
   }
 
   #change(part: Partial<CutPlane>, gesture: object): void {
@@ -192,14 +190,6 @@ export class GirthTool {
       throw new Failure(t('The plane cuts nothing. Move it.'));
     const bytes = await engine.queries.girthFile(plane, kind, unitOfFile(kind, this.#unit));
     save(new Blob([bytes]), `${fileNameOf(shown.value)}.girth.${kind}`);
-  }
-
-  #print(context: PlaneContext): void {
-    const inner = this.#label.firstElementChild;
-    if (!inner || this.#label.hidden) return;
-    const stage = this.#session.view.stage.getBoundingClientRect();
-    const { left, top, width, height } = inner.getBoundingClientRect();
-    printLabel(context, inner, { x: left - stage.left, y: top - stage.top, width, height });
   }
 }
 

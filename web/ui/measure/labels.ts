@@ -8,10 +8,9 @@ import { isSameUnit, type LengthUnit, ofModel, unitOf } from '../../length';
 import { legsOf, moved, withoutPlace } from '../../state/tapes';
 import { h, say } from '../dom';
 import { arrowOf, draggable, hasModifier, keyGesture } from '../gesture';
-import { printLabel } from '../print';
 import type { MeasureInput } from './input';
 import { middleOf, polylineOf, positionsOf } from './curves';
-import { apart, type Box } from './placing';
+import { boxOf, labelElement, standing } from './standing';
 import { areaLabel, lengthWords } from './words';
 import { sentences, t, type Words } from '../../texts';
 import type { PlaneContext } from '../../view/view';
@@ -63,6 +62,14 @@ export class TapeLabels {
     this.#session = session;
     this.#tapes = tapes;
     this.#input = input;
+    standing(session).add({
+      labels: () => this.#labels.map(({ element }) => element),
+      taken: () =>
+        this.#places
+          .flat()
+          .filter(isSeen)
+          .map(({ element }) => boxOf(element, DOT)),
+    });
     session.view.overprints.push((context) => this.#print(context));
     tapes.measured.watch(() => this.#show());
     session.pose.watch(() => this.#show());
@@ -84,24 +91,7 @@ export class TapeLabels {
       const isBehind = seen !== undefined && distance(seen, position) > SEEN_WITHIN * diameter;
       element.toggleAttribute('data-behind', isBehind);
     }
-    this.#partLabels();
-  }
-
-  /** Moves labels that would lie on each other, or on the places of tapes. */
-  #partLabels(): void {
-    const labels = this.#labels.filter(({ element }) => !element.hidden);
-    const spans = labels.map(({ element }) => element.firstElementChild as HTMLElement);
-    for (const { style } of spans) style.left = style.top = '0';
-    const dots = this.#places.flat().filter(isSeen);
-    const shifts = apart(
-      spans.map((span) => boxOf(span)),
-      dots.map(({ element }) => boxOf(element, DOT)),
-    );
-    spans.forEach((span, i) => {
-      const [x, y] = entry(shifts, i);
-      span.style.left = `${x}px`;
-      span.style.top = `${y}px`;
-    });
+    standing(this.#session).place();
   }
 
   /** Tells screen readers what tapes measure, once that is at rest. */
@@ -223,23 +213,12 @@ export class TapeLabels {
       context.strokeStyle = RIM.colour;
       context.stroke();
     }
-    for (const each of this.#labels.filter(isSeen)) {
-      const inner = each.element.firstElementChild;
-      if (!inner) continue;
-      const { left, top, width, height } = inner.getBoundingClientRect();
-      printLabel(context, inner, { x: left - stage.left, y: top - stage.top, width, height });
-    }
+    for (const { element } of this.#labels.filter(isSeen)) standing(this.#session).print(context, element);
   }
 }
 
 function isSeen({ element }: Anchored): boolean {
   return !element.hidden && !element.hasAttribute('data-behind');
-}
-
-/** `size`: of what is seen of it, in its middle; all of it without. */
-function boxOf(element: Element, size?: number): Box {
-  const { left, top, width, height } = element.getBoundingClientRect();
-  return { x: left + width / 2, y: top + height / 2, width: size ?? width, height: size ?? height };
 }
 
 /** Null while a tape has one place. */
@@ -276,5 +255,5 @@ function labelsOf(measured: MeasuredTape, curves: readonly Vector[][], unit: Len
 }
 
 function label(text: Words, position: Vector, kind: 'leg' | 'sum'): Anchored {
-  return { element: h('div', { class: `tape-label ${kind}` }, h('span', {}, text)), position };
+  return { element: labelElement(`tape-label ${kind}`, text), position };
 }

@@ -94,6 +94,7 @@ export function toolbar(
   tool: Signal<Tool>,
   stage: Pick<Stage, 'menu'>,
   open: Signal<Workspace> | null,
+  pinned: Signal<Workspace | null>,
   cut: () => void,
 ): HTMLElement {
   const { scene, view, paused } = session;
@@ -115,7 +116,8 @@ export function toolbar(
     if (group.childElementCount === 0) return null;
     attribute(group, 'aria-label', t('Tools of the workspace'));
     group.classList.toggle('drawing', workspace === 'scene');
-    open?.watch((value) => (group.hidden = value !== workspace));
+    const show = () => (group.hidden = workspace !== open?.value && workspace !== pinned.value);
+    for (const each of [open, pinned]) each?.watch(show);
     return group;
   });
   const undo = plain(t('Undo'), t('Undo (ctrl + Z)'), UNDO, () => scene.undo());

@@ -105,7 +105,7 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
   );
   const ofFile = h('button', { class: 'small', hidden: true, onclick: () => editor.paintWeights() }, COSTS_OF_FILE);
   const slope = toggle(t('Slope'), (on) => editor.setRelief({ slope: on }));
-  attribute(slope.element, 'title', t('Tobler’s hiking function'));
+  attribute(slope.element, 'title', t('Tobler’s hiking function, as the mean of uphill and downhill'));
   const slopeHint = h('p', { class: 'quiet' });
   const height = slider({
     label: t('Height'),
@@ -199,7 +199,7 @@ function costsSentence(path: DrawPath, unit: LengthUnit, hasSlopes: boolean): Wo
   const time = hasSlopes ? hikingWords(path.cost, unit) : null;
   return sentences(
     t`The path is ${measure(path.length, unit)} long and costs as much as ${measure(path.cost, unit)} of bare ground.`,
-    time && t`A hiker takes ${time}, at 5 km/h on the flat.`,
+    time && t`A hiker takes ${time}, as the mean of uphill and downhill, at 5 km/h on the flat.`,
   );
 }
 

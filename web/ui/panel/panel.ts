@@ -31,6 +31,11 @@ export interface WorkspaceContent {
 
 export interface Panel {
   element: HTMLElement;
+  /** What scrolls. */
+  body: HTMLElement;
+  /** In the body: the sheets of all workspaces in their order, and what is below every one. */
+  column: HTMLElement;
+  sheets: readonly HTMLElement[];
   /** Loads all sections but those that wait until they are seen. */
   load(): Promise<void>;
   /** Opens a workspace. */
@@ -40,6 +45,8 @@ export interface Panel {
 }
 
 const MEMORY = 'heatwalk.panel';
+/** The workspace that is pinned. */
+export const PINNED = 'heatwalk.panel.pinned';
 
 /** `open`: the workspace that is; `common`: what is below every one of them. */
 export function buildPanel(
@@ -69,7 +76,8 @@ export function buildPanel(
       ...workspaces[name].sections.map(build),
     ),
   );
-  const body = h('div', { class: 'panel-body', id: 'panel-body' }, ...sheets, ...common.map(build));
+  const column = h('div', { class: 'panel-column' }, ...sheets, ...common.map(build));
+  const body = h('div', { class: 'panel-body', id: 'panel-body' }, column);
   const element = h('aside', { class: 'panel', 'aria-label': t('Panel') });
   const handle = h('button', {
     class: 'panel-handle',
@@ -100,6 +108,9 @@ export function buildPanel(
   setOpen(narrow() ? false : (memory.panel ?? true));
   return {
     element,
+    body,
+    column,
+    sheets,
     load: async () => {
       await Promise.all(loads.map((load) => load()));
     },
@@ -108,7 +119,7 @@ export function buildPanel(
       setOpen(true);
     },
     reveal: (control) => {
-      const sheet = sheets.findIndex((each) => each.contains(control));
+      const sheet = sheets.findIndex((each) => each.contains(control) && column.contains(each));
       if (sheet >= 0) open.value = entry(WORKSPACES, sheet);
       setOpen(true);
       for (let at = control.closest('details'); at; at = at.parentElement?.closest('details') ?? null) at.open = true;

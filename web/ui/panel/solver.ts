@@ -5,6 +5,7 @@ import { isSameUnit, unitOf } from '../../length';
 import { hasWalls } from '../../state/ground';
 import { type Bridge, mayBeJoined } from '../../state/scene';
 import {
+  AUTOMATIC,
   BOUNDARY,
   EXACT_RADIUS_EDGES,
   LINEAR_SOLVER,
@@ -139,6 +140,14 @@ export function solverSection(session: Session): HTMLElement {
     const isAlone = shown.value?.answer.question.sources.length === 1;
     reason(multi.element, isAlone ? t('There is one source.') : null);
     operator.show(parameters.operator);
+    // The field of the logarithm is of the Delaunay triangulation alone.
+    const isByLogarithm =
+      parameters.timeStep === AUTOMATIC && parameters.solver === 'cholesky' && parameters.boundary === 'neumann';
+    const isSame = !isByLogarithm && (shown.value?.answer.factoring.operatorsAgree ?? false);
+    reason(
+      operator.element,
+      isSame ? t('All triangles are Delaunay, and none is thin: all of these are the same.') : null,
+    );
     solver.show(parameters.solver);
   };
   scene.subscribe((state, previous) => {

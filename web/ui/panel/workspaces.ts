@@ -10,7 +10,8 @@ import { animationSection } from './animation';
 import { chartsSection } from './charts';
 import type { CompareSection } from './compare';
 import type { MeasureSection } from './measure';
-import { buildPanel, type Panel, type WorkspaceContent } from './panel';
+import { remembered } from '../memory';
+import { buildPanel, type Panel, PINNED, type WorkspaceContent } from './panel';
 import { sceneSection } from './scene';
 import { sourcesSection } from './sources';
 import { t } from '../../texts';
@@ -33,7 +34,12 @@ interface Parts {
 }
 
 /** `drawn`: the first picture, after which all is loaded. */
-export function workspacePanel(parts: Parts, open: Signal<Workspace>, drawn: Promise<void>): Panel {
+export function workspacePanel(
+  parts: Parts,
+  open: Signal<Workspace>,
+  pinned: Signal<Workspace | null>,
+  drawn: Promise<void>,
+): Panel {
   const { session, opener, ground, tool, measuring, comparing, chooseFile, chooseFolder, link, frames, legend, girth } =
     parts;
   const contents: Record<Workspace, WorkspaceContent> = {
@@ -144,5 +150,10 @@ export function workspacePanel(parts: Parts, open: Signal<Workspace>, drawn: Pro
   const sources = { id: 'sources', title: t('Sources'), element: sourcesSection(session, tool, drawn), open: true };
   const panel = buildPanel(contents, [sources], open);
   void drawn.then(() => panel.load());
+  // Where something is pinned, the model is framed beside it from the beginning.
+  const seen = remembered(PINNED) ? Promise.resolve() : drawn;
+  seen
+    .then(() => import('./pin'))
+    .then(({ pinning }) => pinning(panel, contents, open, pinned), session.fail.bind(session));
   return panel;
 }

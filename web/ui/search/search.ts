@@ -115,7 +115,7 @@ function presetItems(opener: Opener): Item[] {
 /** Settings, buttons and headings of the panel, to which the search leads; what only saves or copies is done at once. */
 function settingItems(panel: Panel): Item[] {
   return [...panel.element.querySelectorAll<HTMLElement>(CONTROLS)].flatMap((control) => {
-    if (control.closest('[hidden]:not([role=tabpanel])')) return [];
+    if (control.closest('[hidden]:not([id^=workspace-])')) return [];
     const section = control.closest<HTMLElement>('details[id^="section-"]');
     const name = nameOf(control);
     if (!section || name === '') return [];
@@ -138,7 +138,7 @@ function nameOf(control: HTMLElement): string {
 
 /** "Look › Style": where a setting is, without the names that say the same. */
 function placeOf(section: HTMLElement, name: string): string {
-  const sheet = section.closest<HTMLElement>('[role=tabpanel]');
+  const sheet = section.closest<HTMLElement>('[id^=workspace-]');
   const tab = sheet && document.getElementById(sheet.getAttribute('aria-labelledby') ?? '');
   const heading = section.querySelector('summary')?.textContent.trim() ?? '';
   const path = [tab?.textContent.trim() ?? '', heading].filter((each) => each !== '' && each !== name);

@@ -37,6 +37,12 @@ export interface ScaleBar {
   text: string;
 }
 
+/** Where the axes of a map point on the screen, right, down and towards the eye. */
+export interface North {
+  north: Vector;
+  east: Vector;
+}
+
 /** An axis of the file: its name, and where it points on the screen, right, down and towards the eye. */
 export interface Axis {
   name: string;
@@ -49,7 +55,9 @@ export interface Content {
   /** How far stripes are apart; empty for none. */
   spacing: string;
   scale: ScaleBar | null;
+  /** Of what is no terrain. */
   axes: readonly Axis[];
+  north: North | null;
   /** All of it in words. */
   words: Words;
 }
@@ -80,6 +88,7 @@ export function contentOf(session: Session, isCompact: boolean): Content | null 
   const scale = scaleBarOf(session, LONGEST[form]);
   const ticks = ticksOf(painted, unit, MOST_TICKS[form]);
   const plain = { ...unit, assumed: false };
+  const axes = isCompact ? [] : axesOf(session);
   const apart = spacing && bar ? apartWords(style.pattern, measure(spacing, plain)) : null;
   return {
     isCompact,
@@ -98,7 +107,8 @@ export function contentOf(session: Session, isCompact: boolean): Content | null 
       : null,
     spacing: String(isCompact || !apart ? '' : apart),
     scale,
-    axes: isCompact ? [] : axesOf(session),
+    axes: opened.isTerrain ? [] : axes,
+    north: opened.isTerrain ? northOf(axes) : null,
     words: sentences(
       t('Legend.'),
       bar
@@ -107,6 +117,7 @@ export function contentOf(session: Session, isCompact: boolean): Content | null 
       apart && t`${apart}.`,
       scale && t`Scale bar: ${scale.text}.`,
       t`Up is ${opened.drawTransform.up.toUpperCase().replace('-', '−')}.`,
+      opened.isTerrain ? t('North is Y.') : null,
     ),
   };
 }
@@ -182,4 +193,10 @@ function axesOf({ view, shown }: Session): Axis[] {
       return { name, direction: [dot(drawn, right), -dot(drawn, up), dot(drawn, back)] as Vector };
     })
     .toSorted((one, other) => one.direction[2] - other.direction[2]);
+}
+
+/** A map has east along X and north along Y. */
+function northOf(axes: readonly Axis[]): North | null {
+  const [east, north] = ['X', 'Y'].map((name) => axes.find((axis) => axis.name === name)?.direction);
+  return east && north ? { north, east } : null;
 }

@@ -1,6 +1,7 @@
 /** Draws the legend, on the page as on saved pictures. All numbers are CSS pixels. */
 import type { PlaneContext } from '../../view/view';
-import type { Axis, Bar, Content } from './content';
+import type { Axis, Bar, Content, North } from './content';
+import type { Vector } from '../../state/vector';
 
 export interface Look {
   /** Size and family. */
@@ -20,17 +21,20 @@ const TICK = 4;
 /** Half the size of a cross of axes, and its arms. */
 const CROSS = 26;
 const ARM = 17;
+/** Half the width of the needle that points north. */
+const NEEDLE = 6;
 /** Between the numbers and the cross. */
 const APART = 12;
 const RADIUS = 8;
 
+const hasCross = ({ axes, north }: Content) => axes.length > 0 || north !== null;
 const formOf = ({ isCompact }: Content) => BAR[isCompact ? 'compact' : 'wide'];
 
 /** Its width and height. */
 export function sizeOf(context: PlaneContext, content: Content, font: string): [number, number] {
-  const { bar, spacing, scale, axes } = content;
+  const { bar, spacing, scale } = content;
   const form = formOf(content);
-  const cross = axes.length > 0 ? 2 * CROSS : 0;
+  const cross = hasCross(content) ? 2 * CROSS : 0;
   const wide = (text: string, weight = '') => {
     context.font = weight + font;
     return context.measureText(text).width;
@@ -77,12 +81,13 @@ export function drawLegend(context: PlaneContext, content: Content, look: Look, 
   if (content.bar) drawBar(context, content.bar, formOf(content), look.font, pixels);
   context.fillStyle = look.text;
   context.font = look.font;
-  if (content.axes.length > 0) {
+  if (hasCross(content)) {
     // Beside the bar, at its lower end.
     const [right, down] = content.bar ? [width - 2 * PADDING - CROSS, -8 - CROSS] : [CROSS, CROSS];
     context.save();
     context.translate(right, down);
-    drawAxes(context, content.axes, look);
+    if (content.north) drawNorth(context, content.north, look);
+    else drawAxes(context, content.axes, look);
     context.restore();
     if (!content.bar) context.translate(0, 2 * CROSS);
   }
@@ -147,10 +152,32 @@ function drawAxes(context: PlaneContext, axes: readonly Axis[], look: Look): voi
     context.lineTo(ARM * x, ARM * y);
     context.strokeStyle = look.axes[name] ?? look.text;
     context.stroke();
-    // The name stands beyond the end; that of an axis towards the eye beside the middle.
-    const length = Math.hypot(x, y);
-    const away = ARM * length + 7;
-    const [right, down] = length > 0.1 ? [x / length, y / length] : [1, 0];
-    context.fillText(name, away * right, away * down);
+    drawName(context, name, direction);
   }
+}
+
+/** Beyond the end of an axis; beside the middle where it points towards the eye. */
+function drawName(context: PlaneContext, name: string, [x, y]: Vector): void {
+  const length = Math.hypot(x, y);
+  const away = ARM * length + 7;
+  const [right, down] = length > 0.1 ? [x / length, y / length] : [1, 0];
+  context.fillText(name, away * right, away * down);
+}
+
+/** A needle that lies on the ground, its northern half filled. */
+function drawNorth(context: PlaneContext, { north, east }: North, look: Look): void {
+  context.textAlign = 'center';
+  context.lineWidth = 1.5;
+  context.lineJoin = 'round';
+  context.strokeStyle = look.text;
+  for (const end of [ARM, -ARM]) {
+    context.beginPath();
+    context.moveTo(NEEDLE * east[0], NEEDLE * east[1]);
+    context.lineTo(end * north[0], end * north[1]);
+    context.lineTo(-NEEDLE * east[0], -NEEDLE * east[1]);
+    context.closePath();
+    if (end > 0) context.fill();
+    context.stroke();
+  }
+  drawName(context, 'N', north);
 }

@@ -91,8 +91,8 @@ export class Legend {
     this.#content = this.#isOn.value ? contentOf(this.#session, this.#isSmall) : null;
     this.element.hidden = this.#content === null;
     if (!this.#content) return;
-    const { bar, spacing, scale, axes, isCompact, words } = this.#content;
-    const drawn = JSON.stringify([bar, bar?.key, spacing, scale, axes, isCompact, devicePixelRatio]);
+    const { bar, spacing, scale, axes, north, isCompact, words } = this.#content;
+    const drawn = JSON.stringify([bar, bar?.key, spacing, scale, axes, north, isCompact, devicePixelRatio]);
     if (drawn !== this.#drawn) {
       this.#drawn = drawn;
       this.#draw(this.#content);

@@ -34,6 +34,13 @@ impl Operators {
         Self::weighted(surface, None, operator)
     }
 
+    /// Whether the operators of a surface are the same whatever [`Operator`] chooses: its faces are Delaunay, and none is repaired.
+    pub fn agree(surface: &Surface) -> bool {
+        surface.is_oriented_manifold()
+            && IntrinsicTriangulation::of_surface(surface).is_delaunay()
+            && relocate::relocated(surface).1 == 0
+    }
+
     /// The same where faces have costs, which make all lengths in them so many times as large. No edge between faces of
     /// different costs is flipped.
     ///
