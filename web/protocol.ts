@@ -108,8 +108,6 @@ export interface Timings {
 /** What is ready to be asked, and what that cost. */
 export interface Factoring extends WithLengths<wasm.Joined, 'crackGap' | 'linkedGap'> {
   timings: Timings;
-  /** Whether what is factored is the same for every operator. */
-  operatorsAgree: boolean;
   /** Stored entries of all Cholesky factors together. */
   factorNonzeros: number;
   /** Bytes of wasm memory in use. */

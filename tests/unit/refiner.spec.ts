@@ -60,7 +60,7 @@ function answer(exactBelow: number, pathKind: PathKind = 'descent'): Answer {
     links: 0,
     linkedGap: ofModel(0),
   };
-  const factoring = { timings, ...joined, operatorsAgree: false, factorNonzeros: 0, memoryBytes: 0 };
+  const factoring = { timings, ...joined, factorNonzeros: 0, memoryBytes: 0 };
   return {
     question,
     posed: null,

@@ -1,3 +1,4 @@
+import type { Engine } from '../../solver/engine';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { isMethodOf } from '../../state/inside';
@@ -104,6 +105,22 @@ export function solverSection(session: Session): HTMLElement {
     quiet(t('Windows that each half-edge keeps. More are nearer to the exact distance, and slower.')),
   ];
 
+  /** Whether the operators of a mesh are the same, once that is known: to find out takes as long as to build one. */
+  let compared: { engine: Engine; agree: boolean } | null = null;
+  const compareOperators = (engine: Engine) => {
+    if (compared?.engine === engine) return;
+    const asked = { engine, agree: false };
+    compared = asked;
+    engine.queries.operatorsAgree().then(
+      (agree) => {
+        asked.agree = agree;
+        if (agree && compared === asked) show();
+      },
+      // A worker that has ended is told of where it answers.
+      () => undefined,
+    );
+  };
+
   const show = () => {
     const { parameters, ...state } = scene.state;
     const isByHeat = state.method === 'heat';
@@ -143,7 +160,9 @@ export function solverSection(session: Session): HTMLElement {
     // The field of the logarithm is of the Delaunay triangulation alone.
     const isByLogarithm =
       parameters.timeStep === AUTOMATIC && parameters.solver === 'cholesky' && parameters.boundary === 'neumann';
-    const isSame = !isByLogarithm && (shown.value?.answer.factoring.operatorsAgree ?? false);
+    const isFactored = isByHeat && !isInside && session.engine?.isFactored === true;
+    if (session.engine && isFactored && !isByLogarithm) compareOperators(session.engine);
+    const isSame = isFactored && !isByLogarithm && compared?.agree === true;
     reason(
       operator.element,
       isSame ? t('All triangles are Delaunay, and none is thin: all of these are the same.') : null,

@@ -189,7 +189,6 @@ async function factoringOf({ solver, surface, timings }: Mesh): Promise<Factorin
   return {
     timings,
     ...((surface?.joined() ?? NOT_JOINED) as WithLengths<wasm.Joined, 'crackGap' | 'linkedGap'>),
-    operatorsAgree: surface?.operators_agree() ?? false,
     factorNonzeros: solver.factor_nonzeros(),
     memoryBytes: memory.buffer.byteLength + interiorBytes(),
   };

@@ -42,6 +42,11 @@ export function linksToReachMore(): number {
   return openSurface().links_to_reach_more();
 }
 
+/** Whether what is factored is the same for every operator. */
+export function operatorsAgree(): boolean {
+  return openMesh().surface?.operators_agree() ?? false;
+}
+
 /**
  * The last field at places of a surface, in the file's unit, Infinity where no source reaches them; null until all of it is exact,
  * and inside of tetrahedra.
