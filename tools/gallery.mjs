@@ -33,10 +33,10 @@ const tab = await browser.newPage({ viewport: WINDOW, reducedMotion: 'reduce', c
 mkdirSync(FOLDER, { recursive: true });
 
 const figures = [];
-for (const { name, title, text, panels } of FIGURES) {
+for (const { name, title, text, panels, whole = false } of FIGURES) {
   const drawn = [];
   for (const [index, [caption, link, line]] of panels.entries()) {
-    const { bytes, fragment } = await draw(link, line, { ...WINDOW, type: 'image/jpeg', clear: false });
+    const { bytes, fragment } = await draw(link, line, { ...WINDOW, type: 'image/jpeg', clear: false, whole });
     const file = `${name}-${index + 1}.jpg`;
     writeFileSync(join(FOLDER, file), bytes);
     drawn.push({ caption, file, fragment });
@@ -48,7 +48,12 @@ writeFileSync(join(root, 'docs', 'gallery.md'), galleryText(figures));
 mkdirSync(THUMBNAILS, { recursive: true });
 await open('/?resolution=full&gpu=webgl');
 for (const id of await tab.evaluate(() => window.heatwalk.presets)) {
-  const { bytes } = await draw(`m=${id}&w=none`, undefined, { ...THUMBNAIL, type: 'image/webp', clear: true });
+  const { bytes } = await draw(`m=${id}&w=none`, undefined, {
+    ...THUMBNAIL,
+    type: 'image/webp',
+    clear: true,
+    whole: false,
+  });
   writeFileSync(join(THUMBNAILS, `${id}.webp`), bytes);
   console.log(`${id}.webp`);
 }
@@ -81,8 +86,8 @@ function sourcesUnder({ line, width, height }) {
   return `&s=${points.join(',')}`;
 }
 
-/** Runs in the page: the scene as an image file, base64, cut to the model unless it fills the window. */
-async function picture({ width, height, type, quality, clear }) {
+/** Runs in the page: the scene as an image file, base64, cut to the model unless it fills the window or is wanted `whole`. */
+async function picture({ width, height, type, quality, clear, whole }) {
   const margin = 0.06;
   let place = '';
   while (place !== JSON.stringify(window.heatwalk.camera)) {
@@ -102,12 +107,13 @@ async function picture({ width, height, type, quality, clear }) {
   }
   const aspect = width / height;
   const room = 1 + 2 * margin;
-  const across = Math.min(outline.width, room * Math.max(right - left, aspect * (bottom - top)));
+  const fitting = Math.min(outline.width, room * Math.max(right - left, aspect * (bottom - top)));
+  const across = whole ? outline.width : fitting;
   const x = Math.min(Math.max(0, (left + right - across) / 2), outline.width - across);
   const y = Math.min(Math.max(0, (top + bottom - across / aspect) / 2), outline.height - across / aspect);
 
   const scale = 2;
-  const scene = await createImageBitmap(await window.heatwalk.picture(scale, clear));
+  const scene = await createImageBitmap(await window.heatwalk.picture(scale, clear, whole));
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext('2d');
   context.imageSmoothingQuality = 'high';

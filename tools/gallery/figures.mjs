@@ -1,5 +1,6 @@
 // The figures of the gallery: each has a title, a text and panels, and each panel a caption and the link of its scene.
 // A panel with a third entry has a source at every point of the model under these points of the window (shares of it).
+// Where a figure is `whole`, its panels are the window with the legend, else they are cut to the model.
 
 const plain = 'op=plain&near=0&refine=0&w=none';
 
@@ -96,6 +97,16 @@ export const FIGURES = [
     panels: [
       ['m = 1', 'm=maze&way=descent&t=1&near=0&refine=0'],
       ['m = 1000', 'm=maze&way=descent&t=1000&near=0&refine=0'],
+    ],
+  },
+  {
+    name: 'measuring',
+    title: 'Measuring',
+    text: 'A tape is a shortest path with its length. A girth is the longest closed curve in which a plane, moved by hand, cuts the surface.',
+    whole: true,
+    panels: [
+      ['Tapes on the horse', 'm=horse&w=none&unit=m&tape=1000,4000;200,3000'],
+      ['Girth of the skull', 'm=skull&w=none&unit=cm&girth=0,90,0.2'],
     ],
   },
   {
