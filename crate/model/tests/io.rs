@@ -49,7 +49,7 @@ fn off_errors_name_the_place() {
         ("OFF\n4 99999999999999 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "end of file"),
         ("OFF\n-4 1 0\n", "line 2"),
         ("OFF", "end of file"),
-        ("", "a.off is an empty file"),
+        ("", "a.off is empty"),
     ] {
         let error = read("a.off", bad).unwrap_err();
         assert!(error.to_string().contains(place), "{error}");

@@ -276,8 +276,8 @@ fn what_is_left_out_of_an_obj_is_told() {
 #[test]
 fn a_file_without_faces_says_what_it_holds_instead() {
     for (name, file, words) in [
-        ("a.obj", "", "an empty file"),
-        ("a.stl", " \n\t", "an empty file"),
+        ("a.obj", "", "a.obj is empty: nothing is in it"),
+        ("a.stl", " \n\t", "a.stl is empty: nothing is in it"),
         (
             "a.ply",
             "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nelement face 0\nend_header\n",

@@ -7,15 +7,18 @@ use crate::error::{Error, Result};
 /// What a repository holds in the place of a large file.
 const LFS_POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
 
-/// Refuses what stands in the place of a mesh file.
-pub fn refuse(name: &str, bytes: &[u8]) -> Result<()> {
+/// Refuses what stands in the place of a mesh file: nothing, the pointer of Git LFS, a web page.
+///
+/// # Errors
+/// [`Error::Surface`] with `Empty` where there is nothing but white space; [`Error::Malformed`].
+pub fn expect_mesh(name: &str, bytes: &[u8]) -> Result<()> {
     let instead = |format: &'static str, problem: &str| {
         Err(Error::Malformed { format, place: name.to_owned(), problem: problem.to_owned() })
     };
     let start = bytes.trim_ascii_start();
     let begins = |word: &[u8]| start.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word));
     if start.is_empty() {
-        return Err(Error::empty(format!("{name} is an empty file")));
+        return Err(Error::empty(format!("{name} is empty: nothing is in it; save or copy it again")));
     }
     if start.starts_with(LFS_POINTER) {
         return instead("Git LFS", "this is a pointer to the mesh, not the mesh; fetch it by `git lfs pull`");

@@ -62,6 +62,7 @@ use crate::model::Model;
 #[cfg(feature = "zip")]
 pub use archive::{Archive, MAGIC as ARCHIVE_MAGIC};
 pub use budget::{Budget, Loan};
+pub use empty::expect_mesh;
 pub use reader::Resources;
 
 /// Reads a mesh. The first bytes tell the format where they can, the extension of `name` otherwise.
@@ -89,7 +90,7 @@ pub fn read_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resourc
 fn read_format(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Model> {
     let (stem, extension) = stem_and_extension(name);
     let bytes = text::decoded(bytes)?;
-    empty::refuse(name, bytes)?;
+    expect_mesh(name, bytes)?;
     let format = Format::of(bytes, extension).ok_or_else(|| unknown(name, extension))?;
     let model: Result<Model> = match format {
         #[cfg(feature = "gltf")]

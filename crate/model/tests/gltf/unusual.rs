@@ -55,7 +55,7 @@ fn text_that_cannot_be_read_is_told_in_plain_words() {
         ([&[0xFE, 0xFF], &*units(u16::to_be_bytes)].concat(), "this is UTF-16 text"),
         (nested(500), "more than 127 deep"),
         (text.as_bytes()[..text.len() / 2].to_vec(), "the text is cut short here"),
-        (Vec::new(), "mesh.gltf is an empty file"),
+        (Vec::new(), "mesh.gltf is empty"),
     ] {
         let error = read("mesh.gltf", bytes).unwrap_err().to_string();
         assert!(error.contains(words), "{error}");

@@ -26,7 +26,7 @@ pub use error::{Error, Result};
 use heatwalk::Soup;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk_model::Error as FileError;
-use heatwalk_model::io::{Budget, Resources, text};
+use heatwalk_model::io::{Budget, Resources, expect_mesh, text};
 
 use self::cells::NamedMesh;
 use crate::soup::TetSoup;
@@ -104,7 +104,7 @@ pub fn read_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resourc
 }
 
 fn tetrahedra(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
-    let bytes = text::decoded(bytes)?;
+    let bytes = decoded(name, bytes)?;
     let format = Format::of(name, bytes).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
     let (soup, cells) = match named(budget, format, name, bytes, resources)? {
         Some(mesh) => mesh.tetrahedra()?,
@@ -137,7 +137,7 @@ pub fn read_surface_within(budget: &Budget, name: &str, bytes: &[u8], resources:
 }
 
 fn surface(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
-    let bytes = text::decoded(bytes)?;
+    let bytes = decoded(name, bytes)?;
     let format = Format::of(name, bytes).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
     let Some(mesh) = named(budget, format, name, bytes, resources)? else {
         return Ok(heatwalk_model::io::read_within(budget, name, bytes, resources)?.soup);
@@ -166,13 +166,20 @@ fn named<'a>(
             let (stem, extension) = stem_and_extension(name);
             let has_nodes = extension.eq_ignore_ascii_case("node");
             let uri = format!("{stem}.{}", if has_nodes { "ele" } else { "node" });
-            let other = resources(&uri).ok_or(FileError::MissingResource { uri })?;
-            let other = text::decoded(&other)?;
+            let other = resources(&uri).ok_or_else(|| FileError::MissingResource { uri: uri.clone() })?;
+            let other = decoded(&uri, &other)?;
             let (nodes, elements) = if has_nodes { (bytes, other) } else { (other, bytes) };
             tetgen::read(budget, nodes, elements)?
         }
     };
     Ok(Some(mesh))
+}
+
+/// What a file holds as text, where that may be a mesh.
+fn decoded<'a>(name: &str, bytes: &'a [u8]) -> Result<&'a [u8]> {
+    let bytes = text::decoded(bytes)?;
+    expect_mesh(name, bytes)?;
+    Ok(bytes)
 }
 
 fn stem_and_extension(name: &str) -> (&str, &str) {

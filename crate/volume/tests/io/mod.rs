@@ -139,6 +139,21 @@ fn files_without_tetrahedra_say_what_they_hold() {
 const CORNER: &str = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
 
 #[test]
+fn files_with_nothing_but_white_space_are_empty() {
+    for nothing in ["", " \n\t", "\u{feff}"] {
+        for name in ["a.mesh", "a.meshb", "a.msh", "a.vtk", "a.vtu", "a.node", "a.ele"] {
+            let words = format!("no triangles: {name} is empty: nothing is in it; save or copy it again");
+            assert_eq!(read(name, nothing.as_bytes()).unwrap_err().to_string(), words);
+            let surface = io::read_surface(name, nothing.as_bytes(), &|_| None);
+            assert_eq!(surface.unwrap_err().to_string(), words);
+        }
+    }
+    let nodes = files::tetgen(&Mesh::mixed(), 1)[0].clone();
+    let error = io::read("a.node", &nodes, &|_| Some(Vec::new())).unwrap_err().to_string();
+    assert!(error.contains("a.ele is empty"), "{error}");
+}
+
+#[test]
 fn gmsh_nodes_with_parameters_are_read() {
     let nodes = "1 0 0 0 0 1\n2 1 0 0 0 2\n3 0 1 0 1 1 0.5\n4 0 0 1 2 1 0.5 -nan(ind)\n";
     let text = format!(
