@@ -5,6 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use crate::common;
 
+use std::f64::consts::TAU;
 use std::num::NonZeroU16;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -186,6 +187,30 @@ fn paths_descend_it() {
     let mut stop = |_, _| ControlFlow::Break(());
     let large = Arc::new(common::surface(&shapes::icosphere(6)));
     assert_eq!(propagated_distance(&large, &sources, options(1), &mut stop), Err(Error::Cancelled));
+}
+
+/// Triangles around a vertex whose rim goes up and down, with a source at the middle of each edge that meets there: of those edges each
+/// has a source that is a little nearer to the vertex than that of the edge before, or a little farther.
+fn hub(count: usize) -> (Arc<ExactGeometry>, Vec<Place>) {
+    let rim = (0..count).map(|index| {
+        let angle = TAU * index as f64 / count as f64;
+        DVec3::new(angle.cos(), 0.2 * (7.0 * angle).sin(), angle.sin())
+    });
+    let positions = std::iter::once(DVec3::ZERO).chain(rim).collect();
+    let triangles = (0..count as u32).map(|index| [0, (index + 1) % count as u32 + 1, index + 1]).collect();
+    let surface = Arc::new(surface(&soup(positions, triangles)));
+    let sources = (0..count).map(|face| Place::Edge { halfedge: FaceId::from_index(face).halfedge(0), fraction: 0.5 });
+    (geometry(&surface), sources.collect())
+}
+
+#[test]
+fn around_a_vertex_each_edge_is_crossed_by_few_windows_however_many_are_a_little_sooner() {
+    const COUNT: usize = 16000;
+    let (geometry, sources) = hub(COUNT);
+    let sources: Vec<_> = sources.into_iter().map(|place| (place, 0.0)).collect();
+    // Where each window counts that is sooner at all, there are more the more edges there are.
+    let crossed = propagated(&geometry, &sources, 1).windows() as f64 / (3 * COUNT) as f64;
+    assert!(crossed < 20.0, "{crossed}");
 }
 
 #[test]

@@ -340,7 +340,9 @@ impl<C: Count, M: Medium> Grow for Front<C, M> {
     }
 
     fn grow(&mut self, geometry: &ExactGeometry, surface: &Surface, radius: f64) {
-        sort_spent([&mut self.crossing, &mut self.reached.sending]);
+        if sort_spent([&mut self.crossing, &mut self.reached.sending]) {
+            self.labels.hurry();
+        }
         // Vertices wait for the windows of their bucket, which may bring them shorter paths.
         let mut batch = std::mem::take(&mut self.reached.batch);
         self.crossing.pop_some(smaller(radius, self.reached.sending.ceiling()), BATCH, &mut batch);

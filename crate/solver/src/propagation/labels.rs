@@ -17,7 +17,7 @@ mod tests;
 #[derive(Debug, Clone, Copy)]
 struct Label {
     /// Least distance of the stretch's middle by a window that has come here, in mean edges that cost as the half-edge's face
-    /// does, bent at its end where it does not reach so far. Infinite where none has.
+    /// does, bent at its end where it does not reach so far; less where windows are hurried. Infinite where none has.
     value: f32,
     /// Where that window is among those that wait; [`NOT_WAITING`] where it has crossed the face.
     place: u32,
@@ -67,6 +67,10 @@ impl Bars {
 /// How much sooner a window must come than the one that it replaces, in mean edges.
 const MARGIN: f32 = 1e-6;
 
+/// What that grows to where windows are hurried: of a stretch that has been reached so often, this share of its distance times the square
+/// of their number. On edges around one vertex each of many windows may come a little sooner than the one before.
+const HURRY: f32 = 1e-6;
+
 /// A number of stretches; one that is part of the type costs no loop.
 pub(super) trait Count: Copy + Send + Sync + 'static {
     fn get(self) -> usize;
@@ -102,6 +106,8 @@ pub(super) struct Labels<C> {
     halfedges: usize,
     /// `3 #F × stretches`; empty before the first round.
     labels: Vec<Label>,
+    /// As many, how often each was replaced since windows are hurried; empty before.
+    times: Vec<u8>,
     /// The windows that wait, in no order. They are few, so that this memory is always at hand.
     waiting: Vec<Beam>,
     /// Places in it that are free.
@@ -125,6 +131,7 @@ impl<C: Count> Labels<C> {
             per_edge: 1.0 / mean_edge,
             halfedges,
             labels,
+            times: Vec::new(),
             waiting: Vec::new(),
             free: Vec::new(),
             is_refused: false,
@@ -135,9 +142,33 @@ impl<C: Count> Labels<C> {
     pub fn clear(&mut self) {
         self.labels.clear();
         self.labels.resize(self.halfedges * self.stretches(), UNREACHED);
+        self.times.clear();
         self.waiting.clear();
         self.free.clear();
         self.is_refused = false;
+    }
+
+    /// From now on windows have to come the sooner, the more often those of a stretch were replaced: so each stretch is reached by a
+    /// few, however many there are.
+    #[cold]
+    pub fn hurry(&mut self) {
+        if self.times.try_reserve_exact(self.labels.len()).is_ok() {
+            self.times.resize(self.labels.len(), 0);
+        } else {
+            self.is_refused = true;
+        }
+    }
+
+    /// What windows have to come sooner than, where one has come to a stretch at this distance.
+    #[inline(always)]
+    fn to_beat(&mut self, label: usize, value: f32) -> f32 {
+        match self.times.get_mut(label) {
+            None => value,
+            Some(times) => {
+                *times = times.saturating_add(1);
+                value * (1.0 - HURRY * f32::from(*times).powi(2))
+            }
+        }
     }
 
     /// Whether there was no memory for a window, which is lost.
@@ -209,8 +240,9 @@ impl<C: Count> Labels<C> {
                 }
             };
             let beam = window.beam();
+            let to_beat = self.to_beat(first + stretch, edges);
             let label = &mut self.labels[first + stretch];
-            label.value = edges;
+            label.value = to_beat;
             if let Some(replaced) = self.waiting.get_mut(label.place as usize) {
                 *replaced = beam;
             } else if let Some(place) = self.free.pop() {

@@ -101,10 +101,12 @@ impl Queue {
     }
 }
 
-/// Lets queues go on in exact order once buckets do not do for one of them.
+/// Lets queues go on in exact order once buckets do not do for one of them. Returns whether they begin to.
 #[inline(always)]
-pub(super) fn sort_spent<const N: usize>(queues: [&mut Queue; N]) {
-    if queues.iter().any(|queue| queue.left == 0) {
-        queues.into_iter().filter(|queue| !queue.is_sorted).for_each(Queue::sort);
+pub(super) fn sort_spent<const N: usize>(mut queues: [&mut Queue; N]) -> bool {
+    let is_spent = queues.iter().any(|queue| queue.left == 0) && queues.iter().any(|queue| !queue.is_sorted);
+    if is_spent {
+        queues.iter_mut().filter(|queue| !queue.is_sorted).for_each(|queue| queue.sort());
     }
+    is_spent
 }
