@@ -82,7 +82,7 @@ fn search_within(
         let mut are_all = true;
         let found = parts.map(|blocks| {
             are_all &= visit(hierarchy, &sets, blocks, tolerance, budget, &mut search);
-            std::mem::take(&mut search.found)
+            std::mem::take(&mut search.found).chunks
         });
         (found.collect::<Vec<_>>(), are_all)
     });
@@ -93,11 +93,11 @@ fn search_within(
     }
     let dealt = dealt.into_iter().map(|(parts, _)| parts);
     let mut dealt: Vec<_> = dealt.map(Vec::into_iter).collect();
-    let count = dealt.iter().flat_map(|parts| parts.as_slice()).map(Vec::len).sum();
+    let count = dealt.iter().flat_map(|parts| parts.as_slice()).flatten().map(Vec::len).sum();
     let mut found = Vec::with_capacity(count);
     // The first thread has as many parts as any.
     for _ in 0..dealt[0].len() {
-        dealt.iter_mut().for_each(|parts| found.extend(parts.next().into_iter().flatten()));
+        dealt.iter_mut().for_each(|parts| found.extend(parts.next().into_iter().flatten().flatten()));
     }
     (found, are_all)
 }
@@ -145,13 +145,41 @@ struct Search<'a> {
     reached: Vec<Nearest>,
     /// Places that triangles of the group know.
     places: Vec<Candidate>,
-    found: Vec<Candidate>,
+    found: Found,
     /// What was looked at and kept so far, in steps of a budget.
     steps: usize,
     /// Where a place of large triangles of the group was found, and its number, in lists by [`list_of`].
     cells: [Vec<(Cell, usize)>; LISTS],
     /// `#F`, what [`Scene::features`] says of a face once it was asked.
     features: Vec<Option<Features>>,
+}
+
+/// Places that were found, in order. They are kept in chunks: one list of all would be copied, and take three times their memory, as it
+/// grows.
+#[derive(Default)]
+struct Found {
+    /// Each full but the last one.
+    chunks: Vec<Vec<Candidate>>,
+}
+
+/// Places of a chunk: as many as one copies in no time.
+const CHUNK: usize = 1 << 14;
+
+impl Found {
+    fn len(&self) -> usize {
+        self.chunks.last().map_or(0, |last| CHUNK * (self.chunks.len() - 1) + last.len())
+    }
+
+    fn push(&mut self, place: Candidate) {
+        match self.chunks.last_mut().filter(|last| last.len() < CHUNK) {
+            Some(last) => last.push(place),
+            None => self.chunks.push(vec![place]),
+        }
+    }
+
+    fn get_mut(&mut self, number: usize) -> &mut Candidate {
+        &mut self.chunks[number / CHUNK][number % CHUNK]
+    }
 }
 
 /// Lists of cells; a power of two.
@@ -184,7 +212,7 @@ impl Visitor for Search<'_> {
         for Nearest { component, places, .. } in self.reached.drain(..) {
             self.slots[component as usize] = NONE;
             let places = places.into_iter().filter(|&place| place != NONE);
-            self.found.extend(places.map(|place| self.places[place as usize]));
+            places.for_each(|place| self.found.push(self.places[place as usize]));
         }
         self.places.clear();
     }
@@ -274,7 +302,7 @@ impl<'a> Search<'a> {
             slots: vec![NONE; scene.bounds.len()],
             reached: Vec::new(),
             places: Vec::new(),
-            found: Vec::new(),
+            found: Found::default(),
             steps: 0,
             cells: std::array::from_fn(|_| Vec::new()),
             features: vec![None; scene.surface.face_count()],
@@ -338,8 +366,12 @@ impl<'a> Search<'a> {
         self.steps += 1;
         let cells = &mut self.cells[list_of(cell.place, LISTS)];
         match cells.iter().rev().take(COMPARED).find(|(other, _)| *other == cell) {
-            Some(&(_, number)) if self.found[number].gap <= place.gap => {}
-            Some(&(_, number)) => self.found[number] = place,
+            Some(&(_, number)) => {
+                let known = self.found.get_mut(number);
+                if place.gap < known.gap {
+                    *known = place;
+                }
+            }
             None => {
                 cells.push((cell, self.found.len()));
                 self.tell(place);
