@@ -70,10 +70,6 @@ impl Lengths {
 
 /// The length of an edge at the least cost of the tetrahedra around it.
 pub(super) fn edge_cost(mesh: &TetMesh, medium: &Medium, [a, b]: [u32; 2]) -> f64 {
-    let least = || {
-        let around = mesh.around().row(a).iter();
-        let at_edge = around.filter(|&&tetrahedron| mesh.tetrahedra()[tetrahedron as usize].contains(&b));
-        at_edge.map(|&tetrahedron| medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min)
-    };
+    let least = || mesh.around_edge([a, b]).map(|tetrahedron| medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min);
     medium.uniform_cost().unwrap_or_else(least) * mesh.positions()[a as usize].distance(mesh.positions()[b as usize])
 }

@@ -136,10 +136,7 @@ impl Medium {
         let is_open = |tetrahedron: &u32| self.cost(*tetrahedron).is_finite();
         match start {
             Start::Vertex(vertex) => mesh.around().row(vertex).iter().copied().filter(is_open).collect(),
-            Start::Edge([a, b]) => {
-                let has_edge = |tetrahedron: &u32| mesh.tetrahedra()[*tetrahedron as usize].contains(&b);
-                mesh.around().row(a).iter().copied().filter(|other| has_edge(other) && is_open(other)).collect()
-            }
+            Start::Edge([a, b]) => mesh.around_edge([a, b]).filter(is_open).collect(),
             Start::Inside(tetrahedron) => {
                 let weights = weights(mesh.corners(TetId(tetrahedron)), place);
                 let beyond = self.sight(mesh).neighbors[tetrahedron as usize];
@@ -228,11 +225,8 @@ impl Medium {
     /// The angle of the tetrahedra around an edge, in radians.
     fn angle_at_edge(&self, mesh: &TetMesh, [a, b]: [u32; 2]) -> f64 {
         let mut sum = 0.0;
-        for &tetrahedron in mesh.around().row(a) {
+        for tetrahedron in mesh.around_edge([a, b]).filter(|&tetrahedron| self.cost(tetrahedron).is_finite()) {
             let corners = mesh.tetrahedra()[tetrahedron as usize];
-            if !corners.contains(&b) || self.cost(tetrahedron).is_infinite() {
-                continue;
-            }
             let is_it =
                 |&&[i, j]: &&[usize; 2]| [corners[i], corners[j]] == [a, b] || [corners[j], corners[i]] == [a, b];
             let edge = EDGES.iter().position(|ends| is_it(&ends)).expect("a tetrahedron with both ends has the edge");

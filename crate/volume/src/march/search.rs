@@ -313,9 +313,8 @@ impl<'a> Search<'a> {
     /// The least cost around an edge, or around a vertex that is both of its ends.
     fn least_cost_at(&self, [a, b]: [u32; 2]) -> f64 {
         self.medium.uniform_cost().unwrap_or_else(|| {
-            let around = self.mesh.around().row(a).iter();
-            let at_edge = around.filter(|&&tetrahedron| self.mesh.tetrahedra()[tetrahedron as usize].contains(&b));
-            at_edge.map(|&tetrahedron| self.medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min)
+            let around = self.mesh.around_edge([a, b]);
+            around.map(|tetrahedron| self.medium.cost(tetrahedron)).fold(f64::INFINITY, f64::min)
         })
     }
 

@@ -223,6 +223,13 @@ impl TetMesh {
         &self.around
     }
 
+    /// The tetrahedra around an edge: of its ends, the one with fewer is looked around, since n edges may meet at the other.
+    pub(crate) fn around_edge(&self, ends: [u32; 2]) -> impl Iterator<Item = u32> + '_ {
+        let [one, other] = ends.map(|end| self.around.row(end));
+        let (around, beyond) = if other.len() < one.len() { (other, ends[0]) } else { (one, ends[1]) };
+        around.iter().copied().filter(move |&tetrahedron| self.tetrahedra[tetrahedron as usize].contains(&beyond))
+    }
+
     pub(crate) fn adjacent(&self) -> &Lists {
         &self.adjacent
     }
