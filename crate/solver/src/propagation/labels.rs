@@ -161,7 +161,7 @@ impl<C: Count> Labels<C> {
 
     /// What windows have to come sooner than, where one has come to a stretch at this distance.
     #[inline(always)]
-    fn to_beat(&mut self, label: usize, value: f32) -> f32 {
+    fn value_to_beat(&mut self, label: usize, value: f32) -> f32 {
         match self.times.get_mut(label) {
             None => value,
             Some(times) => {
@@ -240,9 +240,9 @@ impl<C: Count> Labels<C> {
                 }
             };
             let beam = window.beam();
-            let to_beat = self.to_beat(first + stretch, edges);
+            let beaten = self.value_to_beat(first + stretch, edges);
             let label = &mut self.labels[first + stretch];
-            label.value = to_beat;
+            label.value = beaten;
             if let Some(replaced) = self.waiting.get_mut(label.place as usize) {
                 *replaced = beam;
             } else if let Some(place) = self.free.pop() {
