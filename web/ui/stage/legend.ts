@@ -22,7 +22,7 @@ const BELOW_HINTS = 112;
 const BELOW_SIDES = 140;
 
 /** With less room for the model, the small one; CSS pixels. */
-const ROOM = { width: 800, height: 480 } as const;
+const ROOM = { width: 900, height: 480 } as const;
 
 const AXES = { X: '#d0342c', Y: '#2e8b2e', Z: '#2f6fd6' } as const;
 
