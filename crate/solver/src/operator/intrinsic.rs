@@ -289,11 +289,6 @@ impl IntrinsicTriangulation {
         (0..self.twins.len()).all(|slot| !self.is_open(slot) || self.cotans[slot] >= -FLIP_TOLERANCE)
     }
 
-    /// Whether no cotan weight is negative.
-    pub(crate) fn is_delaunay(&self) -> bool {
-        !(0..self.twins.len() as u32).any(|slot| self.is_to_flip(slot)) && self.has_sharp_boundary()
-    }
-
     /// Number of triangles.
     pub fn face_count(&self) -> usize {
         self.faces.len()

@@ -35,9 +35,10 @@ impl Operators {
     }
 
     /// Whether the operators of a surface are the same whatever [`Operator`] chooses: its faces are Delaunay, and none is repaired.
+    #[cold]
     pub fn agree(surface: &Surface) -> bool {
         surface.is_oriented_manifold()
-            && IntrinsicTriangulation::of_surface(surface).is_delaunay()
+            && IntrinsicTriangulation::delaunay_within(surface, &[]).flips() == 0
             && relocate::relocated(surface).1 == 0
     }
 
