@@ -239,25 +239,40 @@ test('a link to a file asks for it by name and checks its hash', async ({ heatwa
   await expect(page.getByText('not the file the link was made with')).toBeVisible();
 });
 
-test('every preset opens, is solved and has a walker', { tag: '@slow' }, async ({ heatwalk, page }) => {
-  test.setTimeout(300_000);
-  await heatwalk.open();
-  const cards = page.locator('.gallery').getByRole('button');
-  for (const card of await cards.all()) {
-    await card.click();
-    await expect(card).toHaveAttribute('aria-pressed', 'true', { timeout: 60_000 });
-    await expect(page.getByRole('alert')).toBeEmpty();
-    const { mesh } = await heatwalk.scene();
-    const name = mesh.kind === 'preset' ? mesh.id : mesh.kind;
-    const { field, walker } = await page.evaluate(() => ({
-      field: window.heatwalk.field,
-      walker: window.heatwalk.walker,
-    }));
-    expect(field?.maxDistance, name).toBeGreaterThan(0);
-    expect(field?.unreachableVertices, name).toBe(0);
-    expect(walker?.length, name).toBeGreaterThan(0);
-  }
-});
+test(
+  'every preset opens, is solved and has a walker, whose path is as long as its distance where that is exact',
+  { tag: '@slow' },
+  async ({ heatwalk, page }) => {
+    test.setTimeout(300_000);
+    await heatwalk.open();
+    const cards = page.locator('.gallery').getByRole('button');
+    const inexact: string[] = [];
+    for (const card of await cards.all()) {
+      await card.click();
+      await expect(card).toHaveAttribute('aria-pressed', 'true', { timeout: 60_000 });
+      await expect(page.getByRole('alert')).toBeEmpty();
+      const { mesh } = await heatwalk.scene();
+      const name = mesh.kind === 'preset' ? mesh.id : mesh.kind;
+      const { field, walker } = await page.evaluate(() => ({
+        field: window.heatwalk.field,
+        walker: window.heatwalk.walker,
+      }));
+      expect(field?.maxDistance, name).toBeGreaterThan(0);
+      expect(field?.unreachableVertices, name).toBe(0);
+      expect(walker?.length, name).toBeGreaterThan(0);
+      const [length, distance] = await page.evaluate(async () => {
+        const { heatwalk: api } = window;
+        await api.settled();
+        const place = api.scene.walker;
+        return [api.walker?.length ?? 0, place && (await api.exactDistanceAt(place))];
+      });
+      if (distance === null) inexact.push(name);
+      else expect(Math.abs(length - distance), name).toBeLessThan(1e-9 * distance);
+    }
+    // Costs, and tetrahedra.
+    expect(inexact).toEqual(['hike', 'village', 'inside', 'pipe', 'cave']);
+  },
+);
 
 test('light and dark follow the system', async ({ heatwalk, page }) => {
   await page.emulateMedia({ colorScheme: 'light' });
