@@ -77,6 +77,8 @@ test.describe('on a phone', () => {
     expect((message?.y ?? 0) + (message?.height ?? 0)).toBeLessThanOrEqual(sheet?.y ?? 0);
 
     await page.setViewportSize({ width: 844, height: 390 });
+    const [panel, messages] = [page.locator('.panel'), page.locator('.messages')];
+    expect((await messages.boundingBox())?.x).toBeGreaterThanOrEqual((await panel.boundingBox())?.x ?? Infinity);
     await page.getByRole('button', { name: 'Close the message' }).first().tap();
     for (const name of ['Scene', 'Ground', 'Inside']) {
       await page.getByRole('tab', { name }).tap();
