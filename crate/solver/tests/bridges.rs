@@ -181,7 +181,7 @@ fn propagated_distances_cross_portals_and_become_exact() {
             }
             let mut refinement = PropagationRefinement::new(&geometry, &[case.source], distance).expect("room");
             while !refinement.is_done() {
-                let distance = refinement.step(1000).expect("room");
+                let distance = refinement.step(200).expect("room");
                 for vertex in case.surface.vertices().filter(|&vertex| distance.values[vertex] < f64::INFINITY) {
                     descend(&case.surface, &distance, vertex).expect("a path, however far it is exact");
                 }

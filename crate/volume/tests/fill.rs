@@ -85,7 +85,7 @@ fn closed_shapes_fill_within_their_bounds() {
     for name in ["animal", "robot", "horse", "triceratops", "high_genus", "ring", "torus", "icosphere", "uv_sphere"] {
         let soup = shapes::by_name(name).unwrap().soup;
         let solid = solid(&soup).unwrap();
-        let resolution = Resolution::Tetrahedra(14_000);
+        let resolution = Resolution::Tetrahedra(20_000);
         let estimate = solid.estimate(resolution).unwrap();
         let Filled { soup, report } = solid.fill(resolution, &mut go_on).unwrap();
         assert_conforming(&soup);
@@ -164,12 +164,12 @@ fn cavities_stay_empty_and_parts_within_parts_are_filled() {
     let shell = 4.0 / 3.0 * PI * (1.0 - 0.125);
     let hollow = joined(&[outer.clone(), inverted(inner.clone())]);
     for soup in [&hollow, &inverted(hollow.clone())] {
-        let report = fill(soup, 16.0).report;
+        let report = fill(soup, 24.0).report;
         assert!((report.volume / shell - 1.0).abs() < 0.02, "{}", report.volume / shell);
     }
-    let full = fill(&joined(&[outer.clone(), inner]), 16.0).report;
+    let full = fill(&joined(&[outer.clone(), inner]), 24.0).report;
     // Triangles tell the volume of the outer one alone, places that of both.
-    let share = full.volume / fill(&outer, 16.0).report.volume;
+    let share = full.volume / fill(&outer, 24.0).report.volume;
     assert!((share - 1.0).abs() < 2e-3, "{share}");
 }
 
@@ -247,7 +247,7 @@ fn it_can_be_cancelled_and_tells_how_far_it_is() {
         shares.push(share);
         ControlFlow::Continue(())
     };
-    solid.fill(Resolution::Cells(30.0), &mut record).unwrap();
+    solid.fill(Resolution::Cells(40.0), &mut record).unwrap();
     assert!(shares.len() > 5 && shares.is_sorted() && shares[shares.len() - 1] < 1.0, "{shares:?}");
     for stop in 0..shares.len() {
         let mut calls = 0;
@@ -255,7 +255,7 @@ fn it_can_be_cancelled_and_tells_how_far_it_is() {
             calls += 1;
             if calls > stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        assert_eq!(solid.fill(Resolution::Cells(30.0), &mut until).unwrap_err(), Error::Cancelled);
+        assert_eq!(solid.fill(Resolution::Cells(40.0), &mut until).unwrap_err(), Error::Cancelled);
         assert_eq!(calls, stop + 1, "nothing goes on after it was stopped");
     }
 }
@@ -267,7 +267,7 @@ fn it_is_the_same_on_any_number_of_threads() {
     let surface = Surface::build(&soup).unwrap();
     let on = |threads: usize| {
         let solid = Solid::new(&soup, &surface, NonZeroUsize::new(threads).unwrap()).unwrap();
-        solid.fill(Resolution::Cells(30.0), &mut go_on).unwrap()
+        solid.fill(Resolution::Cells(50.0), &mut go_on).unwrap()
     };
     let one = on(1);
     assert_eq!(one, on(2));
