@@ -2,8 +2,9 @@ import { defineConfig } from 'vite';
 import { docs } from './tools/vite/docs.ts';
 import { host } from './tools/vite/host.ts';
 import { offline, OFFLINE_WORKER } from './tools/vite/offline.ts';
+import { schemes } from './tools/vite/schemes.ts';
 
-/** d3-scale-chromatic makes each of its colour schemes by one of these when it is loaded, wanted or not. */
+/** d3-scale-chromatic makes its other color schemes by these when it is loaded, wanted or not. */
 const SCHEME_MAKERS = ['colors', 'ramp', 'ramp$1', 'rgb', 'cubehelix$1', 'interpolateCubehelixLong'];
 
 /** What other pages and the browser ask for by name. */
@@ -14,7 +15,7 @@ export default defineConfig({
   base: './',
   worker: { format: 'es' },
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [docs(import.meta.dirname), host(), offline()],
+  plugins: [docs(import.meta.dirname), host(), offline(), schemes()],
   build: {
     target: 'es2022',
     outDir: 'dist',

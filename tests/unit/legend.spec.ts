@@ -53,7 +53,8 @@ test('bands lie in the middle of each period, lines at its ends, and what is too
   expect(coverage({ ...zebra, pattern: 'none' }, 2, 0.5, 0.01)).toBe(0);
 });
 
-test('the needle points north as the map lies on the screen, its letter beyond it', () => {
+/** What drawing a legend writes and draws lines to. */
+function drawn(content: Partial<Content>): { corners: number[][]; letters: [string, number, number][] } {
   const corners: number[][] = [];
   const letters: [string, number, number][] = [];
   const done = {
@@ -64,17 +65,14 @@ test('the needle points north as the map lies on the screen, its letter beyond i
     {},
     { get: (_, name) => Reflect.get(done, name) ?? (() => ({ width: 0 })), set: () => true },
   );
-  const content: Content = {
-    isCompact: false,
-    bar: null,
-    spacing: '',
-    scale: null,
-    axes: [],
-    north: { north: [0.6, -0.8, 0], east: [0.8, 0.6, 0] },
-    words: '',
-  };
+  const nothing = { isCompact: false, bar: null, spacing: '', scale: null, axes: [], north: null, words: '' };
   const look = { font: '', text: '', plate: '', line: '', axes: {} };
-  drawLegend(context as PlaneContext, content, look, 1);
+  drawLegend(context as PlaneContext, { ...nothing, ...content }, look, 1);
+  return { corners, letters };
+}
+
+test('the needle points north as the map lies on the screen, its letter beyond it', () => {
+  const { corners, letters } = drawn({ north: { north: [0.6, -0.8, 0], east: [0.8, 0.6, 0] } });
   const [tip] = corners;
   expect(tip[0] / tip[1]).toBeCloseTo(-0.75, 12);
   expect(tip[1]).toBeLessThan(-10);
@@ -82,4 +80,25 @@ test('the needle points north as the map lies on the screen, its letter beyond i
   expect([letter, letters.length]).toEqual(['N', 1]);
   expect(x / y).toBeCloseTo(-0.75, 12);
   expect(y).toBeLessThan(tip[1]);
+});
+
+test('letters of axes stand apart, also where the axes lie on one line', () => {
+  const half = Math.SQRT1_2;
+  const level = [
+    ['X', [half, 0, -half]],
+    ['Y', [0, -1, 0]],
+    ['Z', [half, 0, half]],
+  ] as const;
+  const straight = [
+    ['Z', [0.01, 0, -1]],
+    ['X', [1, 0, 0.01]],
+    ['Y', [0, -1, 0]],
+  ] as const;
+  for (const axes of [level, straight]) {
+    const { letters } = drawn({ axes: axes.map(([name, [x, y, z]]) => ({ name, direction: [x, y, z] })) });
+    expect(letters.map(([name]) => name)).toEqual(axes.map(([name]) => name));
+    for (const [i, [, x, y]] of letters.entries()) {
+      for (const [, right, down] of letters.slice(0, i)) expect(Math.hypot(x - right, y - down)).toBeGreaterThan(8);
+    }
+  }
 });

@@ -1,12 +1,5 @@
 /** Preset styles: the material of the surface, the pattern that shows the distance, and the lighting. */
-import {
-  interpolateBlues,
-  interpolateInferno,
-  interpolateMagma,
-  interpolateTurbo,
-  interpolateViridis,
-  interpolateYlGnBu,
-} from 'd3-scale-chromatic';
+import { interpolateInferno, interpolateMagma, interpolateTurbo, interpolateViridis } from 'd3-scale-chromatic';
 import type { StripeBlend, Surroundings } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu';
 import { entry } from './entry';
 import { between } from './vector';
@@ -32,8 +25,9 @@ const RAMPS = {
   ocean: stops('#ffffff', '#bfeaf5', '#7fb2f2', '#4a63ee', '#2a2fc4'),
   glow: stops('#37ffd0', '#3fa8ff', '#a45cff', '#ff4fb4'),
   lava: (t: number) => interpolateInferno(0.95 - 0.75 * t),
-  water: (t: number) => interpolateBlues(0.12 + 0.78 * t),
-  lagoon: (t: number) => interpolateYlGnBu(0.08 + 0.8 * t),
+  // The middle of ColorBrewer's Blues and YlGnBu.
+  water: stops('#dfecf7', '#cbdff1', '#b1d2e8', '#8ec1de', '#69acd4', '#4995c8', '#2d7dbb', '#1764aa', '#0a4a90'),
+  lagoon: stops('#f3fac1', '#dbf1b4', '#b3e1b6', '#7ecdbc', '#4db8c1', '#2c9ec0', '#207ab5', '#2255a3', '#1f368c'),
   dusk: (t: number) => interpolateMagma(0.22 + 0.7 * t),
   neon: stops('#2a0f5c', '#4b1a8f', '#21308f', '#0b4f86', '#0a6d75'),
   viridis: interpolateViridis,

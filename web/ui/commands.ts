@@ -7,6 +7,7 @@ import { lookInto, turnUp } from '../state/edit';
 import { DEFAULT_FILL, INSIDE_RANGES } from '../state/inside';
 import type { Signal } from '../state/signal';
 import type { Tool } from '../state/tool';
+import { KEYS } from './keys';
 import type { Stage } from './stage/stage';
 import { t, type Words } from '../texts';
 
@@ -37,58 +38,50 @@ const BRUSH_STEP = 1.2;
 /** How far a key moves the cut, as a share of the way from the middle to the end. */
 const CUT_STEP = 0.02;
 
-const TOOLS: readonly (readonly [Tool, string, Words])[] = [
-  ['source', '1', t('Set the source')],
-  ['add', '2', t('Add a source')],
-  ['walker', '3', t('Place the walker')],
-  ['line', '4', t('Draw a line of sources along edges')],
-  ['stroke', '5', t('Draw a stroke of sources')],
-  ['boundary', '6', t('Make a whole boundary a source')],
-  ['part', '7', t('Make a whole part a source')],
-  ['measure', 'm', t('Measure')],
+const TOOLS: readonly (readonly [Tool & keyof typeof KEYS, Words])[] = [
+  ['source', t('Set the source')],
+  ['add', t('Add a source')],
+  ['walker', t('Place the walker')],
+  ['line', t('Draw a line of sources along edges')],
+  ['stroke', t('Draw a stroke of sources')],
+  ['boundary', t('Make a whole boundary a source')],
+  ['part', t('Make a whole part a source')],
+  ['measure', t('Measure')],
 ];
-
-/** The keys of an event as commands name them: `p`, `ctrl+shift+z`; null with modifiers that no command has. */
-export function keyOf({ key, ctrlKey, metaKey, altKey, shiftKey }: KeyboardEvent): string | null {
-  if (altKey) return null;
-  const letter = key.toLowerCase();
-  if (!ctrlKey && !metaKey) return letter;
-  return shiftKey ? `ctrl+shift+${letter}` : `ctrl+${letter}`;
-}
 
 export function commandsOf(options: CommandsOptions): readonly Command[] {
   const { session, opener, ground, tool, stage, chooseFile, chooseFolder, help, search } = options;
   const { scene, view } = session;
   return [
-    ...TOOLS.map(([which, key, name]) => command(name, [key], () => (tool.value = which))),
-    command(t('Measure from the walker to the source'), ['d'], () => measureWalk(session)),
-    command(t('Brush on or off'), ['b'], () => (tool.value = ground.isOn ? 'source' : 'brush')),
-    command(t('Smaller brush'), ['['], () => resizeBrush(ground, 1 / BRUSH_STEP)),
-    command(t('Larger brush'), [']'], () => resizeBrush(ground, BRUSH_STEP)),
-    command(t('Frame the model'), ['f'], () => moved(options, () => view.frame())),
-    command(t('Zoom in'), ['+', '='], () => moved(options, () => view.zoom(ZOOM_STEP))),
-    command(t('Zoom out'), ['-'], () => moved(options, () => view.zoom(1 / ZOOM_STEP))),
-    command(t('View from the front'), ['8'], () => stage.show('front')),
-    command(t('View from the side'), ['9'], () => stage.show('side')),
-    command(t('View from above'), ['0'], () => stage.show('top')),
-    command(t('Orthographic or perspective'), ['v'], () => stage.show('parallel')),
-    command(t('Full screen'), ['x'], () => stage.show('screen')),
-    command(t('Legend on or off'), ['l'], toggle(stage.legend)),
-    command(t('Turntable'), ['t'], toggle(session.turntable)),
-    command(t('Turn the next axis up'), ['u'], () => {
+    ...TOOLS.map(([which, name]) => command(name, [KEYS[which]], () => (tool.value = which))),
+    command(t('Measure from the walker to the source'), [KEYS.tape], () => measureWalk(session)),
+    command(t('Brush on or off'), [KEYS.brush], () => (tool.value = ground.isOn ? 'source' : 'brush')),
+    command(t('Smaller brush'), [KEYS.smaller], () => resizeBrush(ground, 1 / BRUSH_STEP)),
+    command(t('Larger brush'), [KEYS.larger], () => resizeBrush(ground, BRUSH_STEP)),
+    command(t('Frame the model'), [KEYS.fit], () => moved(options, () => view.frame())),
+    command(t('Zoom in'), [KEYS.nearer, '='], () => moved(options, () => view.zoom(ZOOM_STEP))),
+    command(t('Zoom out'), [KEYS.farther], () => moved(options, () => view.zoom(1 / ZOOM_STEP))),
+    command(t('View from the front'), [KEYS.front], () => stage.show('front')),
+    command(t('View from the side'), [KEYS.side], () => stage.show('side')),
+    command(t('View from above'), [KEYS.top], () => stage.show('top')),
+    command(t('Orthographic or perspective'), [KEYS.parallel], () => stage.show('parallel')),
+    command(t('Full screen'), [KEYS.screen], () => stage.show('screen')),
+    command(t('Legend on or off'), [KEYS.legend], toggle(stage.legend)),
+    command(t('Turntable'), [KEYS.turntable], toggle(session.turntable)),
+    command(t('Turn the next axis up'), [KEYS.up], () => {
       if (session.shown.value) turnUp(scene, session.shown.value.opened.upright);
     }),
-    command(t('Pause or resume'), ['p'], toggle(session.paused)),
-    command(t('Play or stop the animation'), ['a'], () => session.animator.toggle()),
-    command(t('Fill the surface, or cut it open'), ['i'], () => cutOpen(session, opener)),
-    command(t('Move the cut back'), [','], (gesture) => moveCut(session, -CUT_STEP, gesture)),
-    command(t('Move the cut forward'), ['.'], (gesture) => moveCut(session, CUT_STEP, gesture)),
-    command(t('Undo'), ['ctrl+z'], () => scene.undo()),
-    command(t('Redo'), ['ctrl+shift+z', 'ctrl+y'], () => scene.redo()),
-    command(t('Open a file'), ['o'], chooseFile),
+    command(t('Pause or resume'), [KEYS.pause], toggle(session.paused)),
+    command(t('Play or stop the animation'), [KEYS.play], () => session.animator.toggle()),
+    command(t('Fill the surface, or cut it open'), [KEYS.cut], () => cutOpen(session, opener)),
+    command(t('Move the cut back'), [KEYS.back], (gesture) => moveCut(session, -CUT_STEP, gesture)),
+    command(t('Move the cut forward'), [KEYS.forward], (gesture) => moveCut(session, CUT_STEP, gesture)),
+    command(t('Undo'), [KEYS.undo], () => scene.undo()),
+    command(t('Redo'), [KEYS.redo, 'ctrl+y'], () => scene.redo()),
+    command(t('Open a file'), [KEYS.open], chooseFile),
     ...(chooseFolder ? [command(t('Open a folder'), [], chooseFolder)] : []),
-    command(t('Search settings and commands'), ['ctrl+k'], search),
-    command(t('Help'), ['?'], help),
+    command(t('Search settings and commands'), [KEYS.search], search),
+    command(t('Help'), [KEYS.help], help),
   ];
 }
 

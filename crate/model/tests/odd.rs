@@ -286,7 +286,7 @@ fn a_file_without_faces_says_what_it_holds_instead() {
         (
             "a.ply",
             "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n",
-            "a cloud of 1 points",
+            "a single point without faces",
         ),
         ("a.off", "OFF 3 0 0 0 0 0 1 0 0 0 1 0", "a cloud of 3 points"),
         ("a.off", "OFF", "the number of vertices is missing"),

@@ -28,7 +28,7 @@ export const PAGE: Texts = {
   'Tape {0}: {1}.': 'Ruban {0} : {1}.',
   'Tape {0}: {1}, {2}.': 'Ruban {0} : {1}, {2}.',
   Views: 'Vues',
-  'Front, side, top (8 9 0), full screen (X)': 'Face, côté, dessus (8 9 0), plein écran (X)',
+  'Front, side, top, full screen': 'Face, côté, dessus, plein écran',
   Front: 'Face',
   Side: 'Côté',
   Top: 'Dessus',
@@ -92,22 +92,21 @@ export const PAGE: Texts = {
   'unreachable · {0}': 'inaccessible · {0}',
   '{0} · {1} of the diameter · {2}': '{0} · {1} du diamètre · {2}',
   Source: 'Source',
-  'Click sets the source (1)': 'Un clic place la source (1)',
-  'Click adds a source (2); ctrl + click with any tool': 'Un clic ajoute une source (2) ; ctrl + clic avec tout outil',
+  'Click sets the source': 'Un clic place la source',
+  'Click adds a source ({0}); ctrl + click with any tool':
+    'Un clic ajoute une source ({0}) ; ctrl + clic avec tout outil',
   Walker: 'Marcheur',
-  'Click places the walker (3); alt + click with any tool':
-    'Un clic place le marcheur (3) ; alt + clic avec tout outil',
-  'Clicks measure between places (M); Esc ends a tape':
-    'Les clics mesurent entre des points (M) ; Échap termine un ruban',
+  'Click places the walker ({0}); alt + click with any tool':
+    'Un clic place le marcheur ({0}) ; alt + clic avec tout outil',
+  'Clicks measure between places ({0}); Esc ends a tape':
+    'Les clics mesurent entre des points ({0}) ; Échap termine un ruban',
+  'Ctrl+Shift+{0}': 'Ctrl+Maj+{0}',
   Undo: 'Annuler',
-  'Undo (ctrl + Z)': 'Annuler (ctrl + Z)',
   Redo: 'Rétablir',
-  'Redo (ctrl + shift + Z)': 'Rétablir (ctrl + maj + Z)',
   Pause: 'Pause',
   Resume: 'Reprendre',
   Frame: 'Cadrer',
-  'Frame the model (F)': 'Cadrer le modèle (F)',
-  'Rotate the model (T)': 'Faire tourner le modèle (T)',
+  'Rotate the model': 'Faire tourner le modèle',
   'Tape {0}, place {1}': 'Ruban {0}, point {1}',
   'Drag to move, Delete to remove': 'Glisser pour déplacer, Suppr pour enlever',
   'The clipboard is not available. Save the file instead.':
@@ -533,7 +532,6 @@ export const PAGE: Texts = {
   'area {0} {1}²': 'aire {0} {1}²',
   'area {0}': 'aire {0}',
   '≈ {0}': '≈ {0}',
-  '{0} (P)': '{0} (P)',
   'The solver gave no distances.': 'Le solveur n’a pas donné de distances.',
   'There is no preset {0}.': 'Il n’y a pas de préréglage {0}.',
   'there is no entry {0} of {1}': 'il n’y a pas d’entrée {0} sur {1}',

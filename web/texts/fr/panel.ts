@@ -78,7 +78,6 @@ export const PANEL: Texts = {
   'Part {0}': 'Pièce {0}',
   'Walls cut off what is drawn hatched ({0}). Open a gate, or add a source there.':
     'Des murs isolent ce qui est hachuré ({0}). Ouvrez une porte, ou ajoutez-y une source.',
-  'Play or stop the animation (A)': 'Lire ou arrêter l’animation (A)',
   Time: 'Instant',
   Speed: 'Vitesse',
   Loop: 'En boucle',
@@ -94,8 +93,8 @@ export const PANEL: Texts = {
   'Mesh edges': 'Arêtes du maillage',
   'Boundary edges': 'Arêtes de bord',
   Legend: 'Légende',
-  'What the colors mean, a scale bar and the axes of the file (L)':
-    'Ce que disent les couleurs, une échelle et les axes du fichier (L)',
+  'What the colors mean, a scale bar and the axes of the file':
+    'Ce que disent les couleurs, une échelle et les axes du fichier',
   Contacts: 'Contacts',
   'Operator edges': 'Arêtes de l’opérateur',
   Isolines: 'Isolignes',
@@ -232,7 +231,7 @@ export const PANEL: Texts = {
   Gate: 'Porte',
   Eraser: 'Gomme',
   Brush: 'Pinceau',
-  'The pointer paints the ground (B)': 'Le pointeur peint le terrain (B)',
+  'The pointer paints the ground': 'Le pointeur peint le terrain',
   Tool: 'Outil',
   Material: 'Matériau',
   Cost: 'Coût',
@@ -293,7 +292,7 @@ export const PANEL: Texts = {
   'Their boundary is within {0} of the diagonal of the surface.':
     'Leur bord est à moins de {0} de la diagonale de la surface.',
   Tapes: 'Mètres rubans',
-  'Click places to measure between them (M)': 'Cliquez des points pour mesurer entre eux (M)',
+  'Click places to measure between them': 'Cliquez des points pour mesurer entre eux',
   'Click two places or more. Esc ends a tape, a click on its first place or a double click closes it.':
     'Cliquez deux points ou plus. Échap termine un ruban, un clic sur son premier point ou un double-clic le ferme.',
   'steepest descent': 'plus forte pente',
@@ -347,7 +346,7 @@ export const PANEL: Texts = {
   '{0} from corner to corner.': '{0} de coin à coin.',
   'A unit of the file is {0}.': 'Une unité du fichier vaut {0}.',
   'automatic (none)': 'automatique (aucune)',
-  'Open a file (O): {0}': 'Ouvrir un fichier (O) : {0}',
+  'Open a file ({0}): {1}': 'Ouvrir un fichier ({0}) : {1}',
   'Open a file…': 'Ouvrir un fichier…',
   'Open the folder of a mesh': 'Ouvrir le dossier d’un maillage',
   'Open a folder…': 'Ouvrir un dossier…',

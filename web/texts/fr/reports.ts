@@ -122,6 +122,13 @@ export const REPORTS: Texts = {
     'rien de l’intérieur n’est aussi épais qu’une cellule ; choisissez une résolution plus fine que {0} cellules le long du plus grand côté',
   '{0}: not a format of tetrahedral meshes known here; use Medit (.mesh, .meshb), Gmsh (.msh), VTK (.vtu, .vtk) or TetGen (.node with .ele)':
     '{0} : format de maillage tétraédrique inconnu ici ; utilisez Medit (.mesh, .meshb), Gmsh (.msh), VTK (.vtu, .vtk) ou TetGen (.node avec .ele)',
+  '{0} holds no faces: {1}': '{0} ne contient pas de faces : {1}',
+  '{0} has a header and nothing else: neither vertices nor faces; save it again':
+    '{0} a un en-tête et rien d’autre : ni sommets ni faces ; enregistrez-le de nouveau',
+  '{0} is a single point without faces; a surface has triangles':
+    '{0} est un seul point sans faces ; une surface a des triangles',
+  '{0} is a cloud of {1} points without faces; make a surface of it first':
+    '{0} est un nuage de {1} points sans faces ; faites-en d’abord une surface',
   '{0} holds no tetrahedra{1}; {2}': '{0} ne contient pas de tétraèdres{1} ; {2}',
   '{0} holds no tetrahedra; {1}': '{0} ne contient pas de tétraèdres ; {1}',
   '{0}: {1} {2} refers to vertex {3}, which does not exist; repair the file':

@@ -3,6 +3,8 @@ import '../../style/search.css';
 import { addressIn } from '../../files/address';
 import { formats } from '../../files/paths';
 import type { Opener } from '../../session/opener';
+import { KEYS, keyName } from '../keys';
+import { placeMenu } from '../popover';
 import { recentFiles } from './recent';
 import { h, say } from '../dom';
 import { t, type Words } from '../../texts';
@@ -16,10 +18,6 @@ export interface OpenMenuOptions {
   presets: (() => void) | null;
 }
 
-/** CSS pixels. */
-const WIDTH = 300;
-const MARGIN = 12;
-
 /** Opens the menu below a button, which opens and closes it from then on. */
 export function openMenu(
   beside: HTMLButtonElement,
@@ -27,7 +25,7 @@ export function openMenu(
 ): void {
   // Asked for twice before it was here.
   if (beside.popoverTargetElement) return;
-  const item = (name: Words, key: string, tip: Words, run: () => void) =>
+  const item = (name: Words, key: Words, tip: Words, run: () => void) =>
     h(
       'button',
       {
@@ -68,7 +66,7 @@ export function openMenu(
     h(
       'div',
       {},
-      item(t('Open a file…'), 'O', t`Open a file (O): ${formats()}`, chooseFile),
+      item(t('Open a file…'), keyName(KEYS.open), t`Open a file (${keyName(KEYS.open)}): ${formats()}`, chooseFile),
       chooseFolder && item(t('Open a folder…'), '', t('Open the folder of a mesh'), chooseFolder),
       presets && item(t('Presets'), '', t('Show the presets'), presets),
       form,
@@ -76,12 +74,11 @@ export function openMenu(
       recent.element,
     ),
   );
-  menu.addEventListener('beforetoggle', () => {
-    const { left, bottom } = beside.getBoundingClientRect();
-    menu.style.left = `${Math.min(left, Math.max(MARGIN, innerWidth - MARGIN - WIDTH))}px`;
-    menu.style.top = `${bottom + 8}px`;
+  menu.addEventListener('toggle', (event) => {
+    if ((event as ToggleEvent).newState !== 'open') return;
     say(said, null);
-    void recent.show();
+    placeMenu(menu, beside, 'below');
+    void recent.show().then(() => placeMenu(menu, beside, 'below'));
   });
   document.body.append(menu);
   beside.popoverTargetElement = menu;

@@ -3,6 +3,7 @@ import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
 import { type Workspace, WORKSPACES } from '../../state/workspace';
 import { attribute, h, icon } from '../dom';
+import { KEYS, keyName, withKey } from '../keys';
 import type { Stage } from '../stage/stage';
 import { t, type Words } from '../../texts';
 
@@ -18,25 +19,25 @@ const TOOLS: readonly ToolButton[] = [
   {
     tool: 'source',
     name: t('Source'),
-    tip: t('Click sets the source (1)'),
+    tip: withKey(t('Click sets the source'), KEYS.source),
     path: 'M10 18s-5-5.2-5-9a5 5 0 0 1 10 0c0 3.800-5 9-5 9zM10 9.100v-.2',
   },
   {
     tool: 'add',
     name: t('Add'),
-    tip: t('Click adds a source (2); ctrl + click with any tool'),
+    tip: t`Click adds a source (${KEYS.add}); ctrl + click with any tool`,
     path: 'M8 18s-5-5.200-5-9a5 5 0 0 1 8.500-3.600M14 9v6M11 12h6',
   },
   {
     tool: 'walker',
     name: t('Walker'),
-    tip: t('Click places the walker (3); alt + click with any tool'),
+    tip: t`Click places the walker (${KEYS.walker}); alt + click with any tool`,
     path: 'M11 3.500v.1M10.500 7l-1 5 3 2 1 4M9.500 12l-3 6M6 10l2-3h3l2 3 2 .5',
   },
   {
     tool: 'measure',
     name: t('Measure'),
-    tip: t('Clicks measure between places (M); Esc ends a tape'),
+    tip: t`Clicks measure between places (${keyName(KEYS.measure)}); Esc ends a tape`,
     path: 'M3 13.500L13.500 3l3.500 3.500L6.500 17zM6 10.500l1.500 1.500M8.500 8l2 2M11 5.500l1.500 1.500',
   },
 ];
@@ -47,25 +48,25 @@ const TOOLS_OF: Partial<Record<Workspace, readonly ToolButton[]>> = {
     {
       tool: 'line',
       name: t('Line'),
-      tip: t`${t('Draw a line of sources along edges')} (${'4'})`,
+      tip: withKey(t('Draw a line of sources along edges'), KEYS.line),
       path: 'M3 16l5-7 5 3 4-8',
     },
     {
       tool: 'stroke',
       name: t('Stroke'),
-      tip: t`${t('Draw a stroke of sources')} (${'5'})`,
+      tip: withKey(t('Draw a stroke of sources'), KEYS.stroke),
       path: 'M3 14c3-9 5-9 7-4s4 5 7-4',
     },
     {
       tool: 'boundary',
       name: t('Boundary'),
-      tip: t`${t('Make a whole boundary a source')} (${'6'})`,
+      tip: withKey(t('Make a whole boundary a source'), KEYS.boundary),
       path: 'M10 4c4 0 7 2.500 7 6s-3 6-7 6-7-2.500-7-6 3-6 7-6z',
     },
     {
       tool: 'part',
       name: t('Part'),
-      tip: t`${t('Make a whole part a source')} (${'7'})`,
+      tip: withKey(t('Make a whole part a source'), KEYS.part),
       path: 'M3 8l5-4 5 4v6l-5 3-5-3zM13 8l4-2v6l-4 2',
     },
   ],
@@ -73,7 +74,7 @@ const TOOLS_OF: Partial<Record<Workspace, readonly ToolButton[]>> = {
     {
       tool: 'brush',
       name: t('Brush'),
-      tip: t('The pointer paints the ground (B)'),
+      tip: withKey(t('The pointer paints the ground'), KEYS.brush),
       path: 'M16.500 3.500c-4 2-6.500 5-7.500 7l1.500 1.500c2-1 5-3.500 6-8.500zM8 11.500c-2 0-3 1-3 3 0 1-.5 1.500-1.500 2 3 .5 5.500-.5 6-3.500',
     },
   ],
@@ -107,7 +108,7 @@ export function toolbar(
     return button;
   };
   const tools = TOOLS.map(toolButton);
-  const tip = t`${t('Fill the surface, or cut it open')} (${'I'})`;
+  const tip = withKey(t('Fill the surface, or cut it open'), KEYS.cut);
   const cutting = h('button', { class: 'tool', title: tip, onclick: cut }, icon(CUT), h('span', {}, t('Cut')));
   session.scene.subscribe(({ inside }) => cutting.setAttribute('aria-pressed', String(inside.cut !== 'none')));
   const groups = (open ? WORKSPACES : []).map((workspace) => {
@@ -120,8 +121,8 @@ export function toolbar(
     for (const each of [open, pinned]) each?.watch(show);
     return group;
   });
-  const undo = plain(t('Undo'), t('Undo (ctrl + Z)'), UNDO, () => scene.undo());
-  const redo = plain(t('Redo'), t('Redo (ctrl + shift + Z)'), REDO, () => scene.redo());
+  const undo = plain(t('Undo'), withKey(t('Undo'), KEYS.undo), UNDO, () => scene.undo());
+  const redo = plain(t('Redo'), withKey(t('Redo'), KEYS.redo), REDO, () => scene.redo());
   const showHistory = () => {
     undo.disabled = !scene.canUndo;
     redo.disabled = !scene.canRedo;
@@ -134,13 +135,13 @@ export function toolbar(
   });
   paused.watch((value) => {
     const name = value ? t('Resume') : t('Pause');
-    attribute(pause, 'title', t`${name} (P)`);
+    attribute(pause, 'title', withKey(name, KEYS.pause));
     attribute(pause, 'aria-label', name);
     pause.replaceChildren(icon(value ? PLAY : PAUSE));
   });
-  const frame = plain(t('Frame'), t('Frame the model (F)'), FRAME, () => view.frame());
-  const views = plain(t('Views'), t('Front, side, top (8 9 0), full screen (X)'), VIEWS, () => stage.menu(views));
-  const turn = plain(t('Turntable'), t('Rotate the model (T)'), TURN, () => {
+  const frame = plain(t('Frame'), withKey(t('Frame the model'), KEYS.fit), FRAME, () => view.frame());
+  const views = plain(t('Views'), t('Front, side, top, full screen'), VIEWS, () => stage.menu(views));
+  const turn = plain(t('Turntable'), withKey(t('Rotate the model'), KEYS.turntable), TURN, () => {
     session.turntable.value = !session.turntable.value;
   });
   turn.classList.add('turn');

@@ -2,6 +2,7 @@ import type { Clip } from '../../protocol';
 import type { Session } from '../../session/session';
 import { type Animation, SPEEDS } from '../../state/scene';
 import { attribute, h, say, select, slider, toggle } from '../dom';
+import { KEYS, withKey } from '../keys';
 import { listed, some, t, type Words } from '../../texts';
 import { hundredths, tenths } from '../words';
 
@@ -21,7 +22,7 @@ export function animationSection(session: Session): HTMLElement {
   });
   const play = h('button', {
     class: 'small',
-    title: t('Play or stop the animation (A)'),
+    title: withKey(t('Play or stop the animation'), KEYS.play),
     onclick: () => animator.toggle(),
   });
   const time = slider({

@@ -5,6 +5,7 @@ import { LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from 
 import { AUTOMATIC, UP, type Up, VERTEX_FIELD, type VertexField } from '../../wasm/contract';
 import { available } from '../../session/overlays';
 import { attribute, h, labelled, radios, say, select, slider, toggle } from '../dom';
+import { KEYS, withKey } from '../keys';
 import { hasWalls } from '../../state/ground';
 import { finePercent } from '../words';
 import { tells } from '../../state/styles';
@@ -76,7 +77,11 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
     change: (value, gesture) => scene.edit({ crowd: walkersAt(value) }, gesture),
   });
   const onStage = toggle(t('Legend'), (on) => (isLegendOn.value = on));
-  attribute(onStage.element, 'title', t('What the colors mean, a scale bar and the axes of the file (L)'));
+  attribute(
+    onStage.element,
+    'title',
+    withKey(t('What the colors mean, a scale bar and the axes of the file'), KEYS.legend),
+  );
   isLegendOn.watch(onStage.show);
   const showLegend = () => {
     say(legend, legendOf(session, scene.state));

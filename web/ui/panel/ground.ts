@@ -8,6 +8,7 @@ import { isSameUnit, type LengthUnit, unitOf } from '../../length';
 import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
 import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
+import { KEYS, withKey } from '../keys';
 import { measure, threeDigits } from '../../state/measures';
 import { hikingWords, percent } from '../words';
 import { sentences, t, type Words } from '../../texts';
@@ -50,7 +51,7 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
   const brush = toggle(t('Brush'), (on) => {
     pointer.value = on ? 'brush' : 'source';
   });
-  attribute(brush.element, 'title', t('The pointer paints the ground (B)'));
+  attribute(brush.element, 'title', withKey(t('The pointer paints the ground'), KEYS.brush));
   const tool = select<GroundTool>(t('Tool'), labelled(TOOLS, TOOL_WORDS), (value) => editor.take({ tool: value }));
   const hint = h('p', { class: 'quiet' });
   const buttons = MATERIALS.map((material) => {

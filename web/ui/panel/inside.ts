@@ -5,6 +5,7 @@ import { lookInto } from '../../state/edit';
 import { isSameUnit, type LengthUnit, unitOf } from '../../length';
 import { anglesOf, CUTS, DEFAULT_FILL, FILLS, type Inside, INSIDE_RANGES, LEAST_SPACING } from '../../state/inside';
 import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
+import { KEYS, keyName } from '../keys';
 import { volume } from '../../state/measures';
 import { finePercent, percent, seconds, tenths, tetrahedraWords } from '../words';
 import { count, retold, sentences, some, t, type Words } from '../../texts';
@@ -46,7 +47,7 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     return slider({ label, min, max, step, describe, change });
   };
   const cut = select<Inside['cut']>(t('Cut away'), labelled(CUTS, CUT_WORDS), (value) => choose({ cut: value }));
-  cut.element.title = 'I';
+  attribute(cut.element, 'title', keyName(KEYS.cut));
   const place = number('place', t('Position'), 0.01, (value) => (value === 0 ? t('middle') : percent(value)));
   attribute(place.element, 'title', t('Comma and full stop move it'));
   const turn = number('turn', t('Turn'), 1, (value) => `${value}°`);

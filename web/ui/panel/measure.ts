@@ -3,6 +3,7 @@ import type { Session } from '../../session/session';
 import type { MeasuredTape, TapeFigures } from '../../session/tapes';
 import { Signal } from '../../state/signal';
 import { h } from '../dom';
+import { KEYS, withKey } from '../keys';
 import type { MeasureInput } from '../measure/input';
 import type { Measuring } from '../measure/loaded';
 import type { Tool } from '../../state/tool';
@@ -21,7 +22,11 @@ export class MeasureSection {
   constructor(session: Session, input: MeasureInput, tool: Signal<Tool>) {
     this.#session = session;
     this.#input = input;
-    const choose = h('button', { class: 'wide', title: t('Click places to measure between them (M)') }, t('Measure'));
+    const choose = h(
+      'button',
+      { class: 'wide', title: withKey(t('Click places to measure between them'), KEYS.measure) },
+      t('Measure'),
+    );
     choose.addEventListener('click', () => {
       tool.value = tool.value === 'measure' ? 'source' : 'measure';
     });

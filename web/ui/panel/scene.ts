@@ -5,6 +5,7 @@ import { PRESETS } from '../../state/presets';
 import { isSameUnit, unitOf } from '../../length';
 import { REPORT } from '../../state/table1';
 import { h, say } from '../dom';
+import { KEYS, keyName } from '../keys';
 import { simplifiedSentence } from '../words';
 import { partsControl } from './parts';
 import { unitControls } from './units';
@@ -94,7 +95,11 @@ export function sceneSection(
     h(
       'div',
       { class: 'openers' },
-      h('button', { title: t`Open a file (O): ${formats()}`, onclick: chooseFile }, t('Open a file…')),
+      h(
+        'button',
+        { title: t`Open a file (${keyName(KEYS.open)}): ${formats()}`, onclick: chooseFile },
+        t('Open a file…'),
+      ),
       chooseFolder &&
         h('button', { title: t('Open the folder of a mesh'), onclick: chooseFolder }, t('Open a folder…')),
     ),

@@ -4,6 +4,7 @@ import type { Opener } from '../../session/opener';
 import { PRESETS } from '../../state/presets';
 import { attribute, h, say } from '../dom';
 import type { Command } from '../commands';
+import { keyName } from '../keys';
 import { explanationOf } from '../help/settings';
 import type { Panel } from '../panel/panel';
 import { type Entry, found } from './found';
@@ -97,7 +98,7 @@ export async function openSearch(commands: readonly Command[], opener: Opener, p
 function commandItems(commands: readonly Command[]): Item[] {
   return commands.map(({ name, keys, run }) => ({
     name: String(name),
-    place: (keys[0] ?? '').replace(/(^|\+)./g, (letter) => letter.toUpperCase()),
+    place: keys[0] ? String(keyName(keys[0])) : '',
     line: '',
     run: () => run({}),
   }));

@@ -13,6 +13,8 @@ export interface Look {
   axes: Readonly<Record<string, string>>;
 }
 
+type Point = [right: number, down: number];
+
 const BOLD = '600 ';
 const LINE = 16;
 const PADDING = 8;
@@ -21,6 +23,8 @@ const TICK = 4;
 /** Half the size of a cross of axes, and its arms. */
 const CROSS = 26;
 const ARM = 17;
+/** The room of an axis's letter. */
+const NAME = 10;
 /** Half the width of the needle that points north. */
 const NEEDLE = 6;
 /** Between the numbers and the cross. */
@@ -145,6 +149,7 @@ function drawAxes(context: PlaneContext, axes: readonly Axis[], look: Look): voi
   context.textAlign = 'center';
   context.lineWidth = 2;
   context.lineCap = 'round';
+  const names: Point[] = [];
   for (const { name, direction } of axes) {
     const [x, y] = direction;
     context.beginPath();
@@ -152,16 +157,24 @@ function drawAxes(context: PlaneContext, axes: readonly Axis[], look: Look): voi
     context.lineTo(ARM * x, ARM * y);
     context.strokeStyle = look.axes[name] ?? look.text;
     context.stroke();
-    drawName(context, name, direction);
+    const [right, down] = nameAt(direction);
+    // Axes of a plane that the eye is in lie on one line.
+    const lowest = Math.max(-Infinity, ...names.filter((other) => isClose(other, [right, down])).map(([, at]) => at));
+    const place: Point = [right, Math.max(down, lowest + NAME)];
+    names.push(place);
+    context.fillText(name, ...place);
   }
 }
 
+function isClose(one: Point, other: Point): boolean {
+  return Math.abs(one[0] - other[0]) < NAME && Math.abs(one[1] - other[1]) < NAME;
+}
+
 /** Beyond the end of an axis; beside the middle where it points towards the eye. */
-function drawName(context: PlaneContext, name: string, [x, y]: Vector): void {
+function nameAt([x, y]: Vector): Point {
   const length = Math.hypot(x, y);
   const away = ARM * length + 7;
-  const [right, down] = length > 0.1 ? [x / length, y / length] : [1, 0];
-  context.fillText(name, away * right, away * down);
+  return length > 0.1 ? [(away * x) / length, (away * y) / length] : [away, 0];
 }
 
 /** A needle that lies on the ground, its northern half filled. */
@@ -179,5 +192,5 @@ function drawNorth(context: PlaneContext, { north, east }: North, look: Look): v
     if (end > 0) context.fill();
     context.stroke();
   }
-  drawName(context, 'N', north);
+  context.fillText('N', ...nameAt(north));
 }

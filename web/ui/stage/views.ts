@@ -2,7 +2,9 @@
 import '../../style/views.css';
 import type { Session } from '../../session/session';
 import { attribute, h, say } from '../dom';
+import { KEYS, keyName } from '../keys';
 import { narrow } from '../panel/panel';
+import { placeMenu } from '../popover';
 import { t, type Words } from '../../texts';
 
 /** Yaw and pitch of the camera, radians. */
@@ -14,17 +16,14 @@ const DIRECTIONS = {
 
 export type ViewName = keyof typeof DIRECTIONS | 'fit' | 'parallel' | 'screen';
 
-const ITEMS: readonly { name: ViewName; words: Words; key: string }[] = [
-  { name: 'front', words: t('Front'), key: '8' },
-  { name: 'side', words: t('Side'), key: '9' },
-  { name: 'top', words: t('Top'), key: '0' },
-  { name: 'fit', words: t('Fit'), key: 'F' },
-  { name: 'parallel', words: t('Orthographic'), key: 'V' },
-  { name: 'screen', words: t('Full screen'), key: 'X' },
+const ITEMS: readonly { name: ViewName; words: Words }[] = [
+  { name: 'front', words: t('Front') },
+  { name: 'side', words: t('Side') },
+  { name: 'top', words: t('Top') },
+  { name: 'fit', words: t('Fit') },
+  { name: 'parallel', words: t('Orthographic') },
+  { name: 'screen', words: t('Full screen') },
 ];
-
-/** Between the button and its menu, and from the edges of the window; CSS pixels. */
-const GAP = 8;
 
 /** `moved`: called where the camera moves. */
 export async function show(name: ViewName, { view, scene }: Session, moved: () => void): Promise<void> {
@@ -54,27 +53,26 @@ const menus = new WeakMap<HTMLElement, HTMLElement>();
 function menuOf(button: HTMLElement, { scene }: Session, choose: (name: ViewName) => void): HTMLElement {
   const made = menus.get(button);
   if (made) return made;
-  const items = ITEMS.filter(({ name }) => name !== 'screen' || document.fullscreenEnabled).map(
-    ({ name, words, key }) => {
-      const chosen = () => {
-        menu.hidePopover();
-        choose(name);
-      };
-      const label = h('span', {}, words);
-      const item = h(
-        'button',
-        {
-          role: name === 'parallel' ? 'menuitemcheckbox' : 'menuitem',
-          tabindex: -1,
-          'aria-keyshortcuts': key,
-          onclick: chosen,
-        },
-        label,
-        h('kbd', { 'aria-hidden': 'true' }, key),
-      );
-      return { name, item, label };
-    },
-  );
+  const items = ITEMS.filter(({ name }) => name !== 'screen' || document.fullscreenEnabled).map(({ name, words }) => {
+    const key = keyName(KEYS[name]);
+    const chosen = () => {
+      menu.hidePopover();
+      choose(name);
+    };
+    const label = h('span', {}, words);
+    const item = h(
+      'button',
+      {
+        role: name === 'parallel' ? 'menuitemcheckbox' : 'menuitem',
+        tabindex: -1,
+        'aria-keyshortcuts': String(key),
+        onclick: chosen,
+      },
+      label,
+      h('kbd', { 'aria-hidden': 'true' }, key),
+    );
+    return { name, item, label };
+  });
   const menu = h(
     'div',
     { class: 'views', role: 'menu', popover: 'auto', 'aria-label': t('Views') },
@@ -93,7 +91,7 @@ function menuOf(button: HTMLElement, { scene }: Session, choose: (name: ViewName
     parallel?.item.setAttribute('aria-checked', String(scene.state.orthographic));
     const full = items.find(({ name }) => name === 'screen');
     if (full) say(full.label, document.fullscreenElement ? t('Leave full screen') : t('Full screen'));
-    stand(menu, button);
+    placeMenu(menu, button, narrow() ? 'beside' : 'above');
     items[0]?.item.focus();
   });
   menu.addEventListener('keydown', (event) => {
@@ -108,15 +106,4 @@ function menuOf(button: HTMLElement, { scene }: Session, choose: (name: ViewName
   document.body.append(menu);
   menus.set(button, menu);
   return menu;
-}
-
-/** Above the button; where tools are one below the other, beside it. */
-function stand(menu: HTMLElement, button: HTMLElement): void {
-  const { left, right, top, bottom } = button.getBoundingClientRect();
-  const { offsetWidth, offsetHeight } = menu;
-  const isAbove = !narrow();
-  const x = isAbove ? Math.min(left, innerWidth - offsetWidth - GAP) : right + GAP;
-  const y = isAbove ? top - offsetHeight - GAP : Math.min(bottom - offsetHeight, innerHeight - offsetHeight - GAP);
-  menu.style.left = `${Math.max(GAP, x)}px`;
-  menu.style.top = `${Math.max(GAP, y)}px`;
 }

@@ -35,6 +35,7 @@ pub fn reason(name: &str, soup: &Soup) -> Error {
     let reason = match (soup.positions.len(), left_out.is_empty()) {
         (_, false) => format!("{name} holds no faces: {}", left_out.join("; ")),
         (0, true) => format!("{name} has a header and nothing else: neither vertices nor faces; save it again"),
+        (1, true) => format!("{name} is a single point without faces; a surface has triangles"),
         (vertices, true) => {
             format!("{name} is a cloud of {vertices} points without faces; make a surface of it first")
         }
