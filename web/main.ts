@@ -89,6 +89,7 @@ const frames = new Frames(session, crowd, () => {
   measuring.follow();
   corners.follow();
   over.follow();
+  readout.follow();
 });
 const cameraMoved = () => frames.cameraMoved();
 const fail = session.fail.bind(session);
@@ -150,10 +151,11 @@ followLaunches(openFiles);
 
 const head = heading(session, { open: menu, search, share: address.kiosk ? null : () => panel?.show('share'), help });
 const bar = toolbar(session, tool, over, address.kiosk ? null : workspace, pinned, () => cutOpen(session, opener));
+const foot = h('section', { class: 'foot', 'aria-label': t('Tools') }, hint.element, bar);
 page.append(
   comparing.layer,
   head,
-  h('section', { class: 'foot', 'aria-label': t('Tools') }, hint.element, bar),
+  foot,
   messages.element,
   loadingBar(session),
   handle.element,
@@ -189,7 +191,7 @@ if (!address.kiosk) {
   panel = workspacePanel(parts, workspace, pinned, first.promise);
   page.append(panel.element);
 }
-followInsets(view, head, bar, panel?.element ?? null);
+followInsets(view, { head, bar, foot, panel: panel?.element ?? null });
 overlays.follow();
 session.turntable.watch((turns, turned) => {
   if (turned && !turns) frames.cameraMoved();

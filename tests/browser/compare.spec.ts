@@ -116,6 +116,28 @@ test(
   },
 );
 
+test(
+  'what the scene had before a comparison of the report comes back after it',
+  { tag: '@page' },
+  async ({ heatwalk, page }) => {
+    await heatwalk.openFile('sheet.off', SHEET, 'up=z&s=528&windows=2');
+    const { method, windows, parameters, refine } = await heatwalk.scene();
+    const section = await openSection(page, 'compare');
+    for (const name of ['m = 1 and m = 1000', 'Neumann and Dirichlet']) {
+      await section.getByRole('button', { name }).click();
+      await expect.poll(async () => (await heatwalk.scene()).method).toBe('heat');
+    }
+    await section.getByRole('button', { name: 'Stop comparing' }).click();
+    expect(await heatwalk.scene()).toMatchObject({ method, windows, parameters, refine, compared: null });
+    // What is changed meanwhile is wanted.
+    await section.getByRole('button', { name: 'm = 1 and m = 1000' }).click();
+    await openSection(page, 'solver');
+    await page.getByRole('combobox', { name: 'Method' }).first().selectOption('exact');
+    await section.getByRole('button', { name: 'Stop comparing' }).click();
+    expect((await heatwalk.scene()).method).toBe('exact');
+  },
+);
+
 test('a link opens both sides', { tag: '@page' }, async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny&method=heat&near=0&t=1&refine=0&vs=t:1000,at:0.3');
   await drawn(heatwalk);

@@ -85,9 +85,9 @@ test.describe('on a phone', () => {
       expect(await outside(page), name).toEqual([]);
       expect(await covered(page), name).toEqual([]);
     }
-    // The model is between the heading and the tools.
+    // The model is between the heading and the hint above the tools.
     const heading = await page.locator('.heading').boundingBox();
-    const tools = await page.getByRole('toolbar').boundingBox();
+    const tools = await page.locator('.foot').boundingBox();
     const [, middle] = await page.evaluate(() => window.heatwalk.centre);
     expect(2 * middle).toBeCloseTo((heading?.y ?? 0) + (heading?.height ?? 0) + (tools?.y ?? 0), 0);
   });

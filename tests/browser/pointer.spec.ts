@@ -20,6 +20,9 @@ test('a click sets the source, ctrl-click adds, shift-click draws a line from th
   const solves = await heatwalk.solves();
   const [x, y] = await heatwalk.pixelOnModel();
   await page.mouse.click(x, y);
+  // The keyboard acts on the model from then on, without a frame around the window.
+  await expect(page.locator('.stage')).toBeFocused();
+  expect(await page.locator('.stage').evaluate((stage) => stage.matches(':focus-visible'))).toBe(false);
   await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);
   const [source] = (await heatwalk.scene()).sources;
   const [px, py] = await heatwalk.pixelOf(source);
@@ -213,6 +216,24 @@ test('the readout shows distance and vertex under the pointer', async ({ heatwal
   expect(Math.abs(said - (distance ?? Number.NaN))).toBeLessThanOrEqual(0.006 * (distance ?? Number.NaN));
   await page.mouse.move(20, 300);
   await expect(readout).toBeHidden();
+});
+
+test('the readout is of what is under the pointer after the camera has moved, too', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  const at = await heatwalk.pixelOnModel();
+  await page.mouse.move(...at);
+  const readout = page.locator('.readout');
+  await expect(readout).toBeVisible();
+  const before = await readout.textContent();
+  await page.keyboard.press('9');
+  await heatwalk.rest();
+  const shown = async () => ((await readout.isVisible()) ? readout.textContent() : null);
+  // Where the pointer comes anew, it says the same.
+  await expect.poll(shown).not.toBe(before);
+  const after = await shown();
+  await page.mouse.move(at[0] + 1, at[1]);
+  await page.mouse.move(...at);
+  await expect.poll(shown).toBe(after);
 });
 
 test('the keyboard sets, adds and deletes sources at the reticle', async ({ heatwalk, page }) => {

@@ -182,12 +182,12 @@ test('what a file does not say of itself is asked over the model, and a tap corr
   // A grid of heights is a terrain: in meters, with Z up.
   await expect(button('m')).toHaveAttribute('aria-pressed', 'true');
   await expect(button('Z')).toHaveAttribute('aria-pressed', 'true');
-  await expect(question).toContainText(/\d m from corner to corner\?/);
+  await expect(question).toContainText(/\d m across\?/);
   // A map has north along Y.
   const legend = page.getByRole('region', { name: 'Legend' }).getByRole('img');
   await expect(legend).toHaveAttribute('aria-label', /Up is Z\. North is Y\.$/);
   await button('ft').click();
-  await expect(question).toContainText(/\d ft from corner to corner\?/);
+  await expect(question).toContainText(/\d ft across\?/);
   await expect.poll(() => page.url()).toContain('&unit=ft');
   await button('Y').click();
   await expect.poll(async () => (await heatwalk.mesh()).up).toBe('y');

@@ -21,6 +21,11 @@ test('a link and the field of the panel say the same of them', () => {
   }
 });
 
+test('a link keeps the digits of what was converted', () => {
+  const inches = parseIsolines(String(10 / 25.4), MODEL);
+  expect(decodeIsolines(encodeIsolines(inches))?.spacing).toBeCloseTo(10 / 25.4, 11);
+});
+
 test('other text in a link is refused', () => {
   for (const text of ['', '0', '-1', 'all', '1,,2', '1,x', ',', '1,'.repeat(1001)]) {
     expect(decodeIsolines(text), text.slice(0, 20)).toBeUndefined();

@@ -2,7 +2,7 @@
 import { Failure } from '../error';
 import type { IsolineWish } from '../protocol';
 import { inModel, type LengthUnit, MODEL, ofModel, typed } from '../length';
-import { amount, parseAmount } from './text';
+import { amount, parseAmount, precise } from './text';
 import { count, t } from '../texts';
 
 /** As many as a table has rows for. */
@@ -28,17 +28,17 @@ function wishOf(values: readonly number[], unit: LengthUnit): IsolineWish {
   return { values: values.map((value) => inModel(value, unit)), spacing: ofModel(0) };
 }
 
-/** What `parseIsolines` reads as the same. */
-export function isolinesText(wish: IsolineWish | null, unit: LengthUnit): string {
+/** What `parseIsolines` reads as the same, up to the digits that `written` writes. */
+export function isolinesText(wish: IsolineWish | null, unit: LengthUnit, written = amount): string {
   if (!wish) return '';
-  if (wish.values.length === 0) return amount(typed(wish.spacing, unit));
-  const values = wish.values.map((value) => amount(typed(value, unit))).join();
+  if (wish.values.length === 0) return written(typed(wish.spacing, unit));
+  const values = wish.values.map((value) => written(typed(value, unit))).join();
   return wish.values.length === 1 ? `${values},` : values;
 }
 
 /** In a link; `stripes` where isolines are at the period of these. */
 export function encodeIsolines(wish: IsolineWish | null): string {
-  return isolinesText(wish, MODEL) || 'stripes';
+  return isolinesText(wish, MODEL, precise) || 'stripes';
 }
 
 /** What `encodeIsolines` wrote; undefined for other text. */

@@ -29,7 +29,7 @@ import {
 import { SCALES, TAPES } from './tapes';
 import {
   AMOUNT,
-  amount,
+  precise,
   automaticOr,
   choiceOf,
   type Codec,
@@ -130,7 +130,7 @@ const EDITS = [
   whole('w', 'walker', or('none', null, POINT)),
   whole('up', 'up', automaticOr(choiceOf(UP))),
   whole('unit', 'unit', automaticOr(oneOf(UNITS))),
-  whole('scale', 'scale', within(SCALES, amount)),
+  whole('scale', 'scale', within(SCALES, precise)),
   whole('shown', 'shownUnit', or('same', null, oneOf(SHOWN_UNITS))),
   whole('tape', 'tapes', TAPES),
   whole('girth', 'girth', GIRTH),

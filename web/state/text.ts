@@ -18,6 +18,11 @@ export function amount(value: number): string {
   return String(Number(value.toPrecision(6))).replace('+', '');
 }
 
+/** Twelve digits: what was measured or converted comes back as it was. */
+export function precise(value: number): string {
+  return String(Number(value.toPrecision(12))).replace('+', '');
+}
+
 /** A number as `amount` writes it, not negative; undefined for other text. */
 export function parseAmount(text: string): number | undefined {
   return /^\d[\d.]*(e-?\d+)?$/.test(text) && Number.isFinite(Number(text)) ? Number(text) : undefined;

@@ -370,7 +370,12 @@ export function unreachedSentence(opened: OpenedMesh, field: DistanceField): Wor
   }
   const names = unreachedParts(opened, field);
   if (names.length === 0) {
-    return t`A component (${share}) is not connected to any source and is drawn hatched. Add a source there, or link it.`;
+    return counted(
+      unreachableVertices,
+      '{1} is not connected to any source and is drawn hatched. Add a source there, or link it.',
+      '{1} are not connected to any source and are drawn hatched. Add a source there, or link them.',
+      share,
+    );
   }
   return counted(
     names.length,

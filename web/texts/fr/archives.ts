@@ -58,7 +58,7 @@ export const ARCHIVES: Texts = {
   'Tools of the workspace': 'Outils de l’espace de travail',
   'The lengths in the file are in {0}': 'Les longueurs du fichier sont en {0}',
   '{0} points up': '{0} pointe vers le haut',
-  '{0} from corner to corner?': '{0} d’un coin à l’autre ?',
+  '{0} across?': '{0} d’un coin à l’autre ?',
   'In which unit?': 'Dans quelle unité ?',
   'Unit of the file': 'Unité du fichier',
   'Axis that points up': 'Axe qui pointe vers le haut',

@@ -513,8 +513,10 @@ export const PAGE: Texts = {
   'Refinement is off.': 'Le raffinement est désactivé.',
   'Where costs differ, windows and paths are refracted and nothing is exact.':
     'Là où les coûts diffèrent, fenêtres et chemins sont réfractés et rien n’est exact.',
-  'A component ({0}) is not connected to any source and is drawn hatched. Add a source there, or link it.':
-    'Une composante ({0}) n’est reliée à aucune source et est hachurée. Ajoutez-y une source, ou reliez-la.',
+  '{1} is not connected to any source and is drawn hatched. Add a source there, or link it.':
+    'Sans lien avec aucune source, et donc hachuré : {1}. Ajoutez-y une source, ou reliez cette pièce.',
+  '{1} are not connected to any source and are drawn hatched. Add a source there, or link them.':
+    'Sans lien avec aucune source, et donc hachurés : {1}. Ajoutez-y une source, ou reliez cette pièce.',
   '{1} ({2}) is not connected to any source and is drawn hatched. Add a source there, or link it.':
     'Sans lien avec aucune source, et donc hachuré : {1} ({2}). Ajoutez-y une source, ou reliez cette pièce.',
   '{1} ({2}) are not connected to any source and are drawn hatched. Add a source there, or link them.':

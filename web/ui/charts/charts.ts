@@ -7,10 +7,13 @@ import type { Session } from '../../session/session';
 import type { MeasuredTape } from '../../session/tapes';
 import { isSameField, type Question } from '../../solver/engine';
 import type { Places } from '../../state/places';
+import { isWeighted } from '../../state/ground';
 import { distributionOf, errorsByDistance } from '../../state/distribution';
 import { type LengthUnit, type ModelLength, ofModel, told, unitOf } from '../../length';
 import { legsOf } from '../../state/tapes';
 import { h } from '../dom';
+import { vectorsIn } from '../../state/vector';
+import { filePlace } from '../../session/nearest';
 import { arcsOf, pointsOf, positionsOf } from '../measure/curves';
 import { withUnit } from '../../state/measures';
 import { percent } from '../words';
@@ -144,10 +147,11 @@ function chartsOf(
   { errors, walk, lines, distances }: Fetched,
   unit: LengthUnit,
 ): { charts: Chart[]; notes: Words[] } {
-  const { field, question } = answer;
+  const { field, path, question } = answer;
   if (!field) return { charts: [], notes: [t('Set a source to see how distance is distributed.')] };
   const inUnit = (name: Words) => withUnit(name, unit.symbol);
-  const xLabel = inUnit(t('Distance'));
+  const isCost = isWeighted(question.ground);
+  const xLabel = inUnit(isCost ? t('Least cost') : t('Distance'));
   const positions = question.moment ? places.positions : opened.surface.positions;
   const { triangles } = opened.surface;
   const { edges, below, unreached } = distributionOf({ ...field, positions, triangles }, BINS);
@@ -156,9 +160,14 @@ function chartsOf(
   const bars = shares.slice(1).map((share, index) => share - entry(shares, index));
   const area = t('Area (%)');
   const charts: Chart[] = [
-    { title: t('Area by distance'), xLabel, yLabel: area, series: [{ name: area, kind: 'bars', x: bounds, y: bars }] },
     {
-      title: t('Area within a distance'),
+      title: isCost ? t('Area by least cost') : t('Area by distance'),
+      xLabel,
+      yLabel: area,
+      series: [{ name: area, kind: 'bars', x: bounds, y: bars }],
+    },
+    {
+      title: isCost ? t('Area within a cost') : t('Area within a distance'),
       xLabel,
       yLabel: area,
       series: [{ name: area, kind: 'line', x: bounds, y: shares }],
@@ -173,7 +182,29 @@ function chartsOf(
         (value) => told(ofModel(value), unit),
       );
     const series = [{ name: xLabel, kind: 'line' as const, x: column(0), y: column(1) }];
-    charts.push({ title: t('Distance along the path'), xLabel: inUnit(t('Along the path')), yLabel: xLabel, series });
+    charts.push({
+      title: isCost ? t('Least cost along the path') : t('Distance along the path'),
+      xLabel: inUnit(t('Along the path')),
+      yLabel: xLabel,
+      series,
+    });
+  }
+  if (path && opened.isTerrain) {
+    const track = vectorsIn(path.points).map((point) => filePlace(point, opened.drawTransform));
+    const inFile = (length: number) => told(ofModel(length), unit);
+    charts.push({
+      title: t('Height along the path'),
+      xLabel: inUnit(t('Along the path')),
+      yLabel: inUnit(t('Height')),
+      series: [
+        {
+          name: t('Height'),
+          kind: 'line',
+          x: arcsOf(track).map(inFile),
+          y: track.map(([, , height]) => inFile(height)),
+        },
+      ],
+    });
   }
   for (const { title, length, x, points } of lines) {
     const y = points.map((point) => told(distances.get(point) ?? places.valueAt(point, field), unit));

@@ -4,32 +4,20 @@ import { csvOf, markdownOf, milliseconds, REPORT, reportOf, type Row, type Times
 import { save } from '../../view/picture';
 import { h, say } from '../dom';
 import { markdownButton, measuring } from './measuring';
-import { count, t, type Words } from '../../texts';
+import { trianglesWords } from '../words';
+import { t, type Words } from '../../texts';
 
 export function table1(): HTMLElement {
   const rows: Row[] = [];
-  const body = h('tbody', {});
   const table = h(
     'table',
     { class: 'rows', hidden: true },
     h('caption', { class: 'quiet' }, t('Precompute / solve, in milliseconds')),
-    h(
-      'thead',
-      {},
-      h(
-        'tr',
-        {},
-        h('td', { colspan: 2 }),
-        h('th', { scope: 'colgroup', colspan: 2 }, t('Here')),
-        h('th', { scope: 'colgroup', colspan: 2 }, t('Report')),
-      ),
-      cells('th', [t('Model'), t('Triangles'), 'CG', t('Cholesky'), 'CG', t('Cholesky')]),
-    ),
-    body,
+    h('thead', {}, h('tr', {}, heading(t('Model')), h('td'), heading('CG'), heading(t('Cholesky')))),
   );
   const measure = async (signal: AbortSignal) => {
     rows.length = 0;
-    body.replaceChildren();
+    for (const body of [...table.tBodies]) body.remove();
     [table.hidden, saving.hidden, progress.max] = [false, true, REPORT.length];
     await measureTable(
       signal,
@@ -39,8 +27,8 @@ export function table1(): HTMLElement {
       },
       (row) => {
         rows.push(row);
-        const times = [row, reportOf(row)].flatMap(({ iterated, factored }) => [iterated, factored].map(timesOf));
-        body.append(cells('td', [row.title, count(row.triangles), ...times]));
+        const model = h('th', { scope: 'rowgroup', rowspan: 2 }, row.title, h('br'), trianglesWords(row.triangles));
+        table.append(h('tbody', {}, timesRow(t('Here'), row, model), timesRow(t('Report'), reportOf(row))));
       },
     );
     return t('Done. Other work on this device makes times longer.');
@@ -82,8 +70,17 @@ export function table1(): HTMLElement {
   );
 }
 
-function cells(tag: 'th' | 'td', words: readonly Words[]): HTMLElement {
-  return h('tr', {}, ...words.map((word) => h(tag, {}, word)));
+function heading(name: Words): HTMLElement {
+  return h('th', { scope: 'col' }, name);
+}
+
+function timesRow(
+  name: Words,
+  { iterated, factored }: Pick<Row, 'iterated' | 'factored'>,
+  model?: HTMLElement,
+): HTMLElement {
+  const times = [iterated, factored].map((each) => h('td', {}, timesOf(each)));
+  return h('tr', {}, ...(model ? [model] : []), h('th', { scope: 'row' }, name), ...times);
 }
 
 function timesOf({ precompute, solve }: Times): string {

@@ -45,9 +45,16 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     if (compared) change({ parameters: { ...compared.parameters, ...part } }, gesture);
   };
 
+  /** The scene's own settings before a comparison of the report, and those that came with it. */
+  let former: { own: Settings; studied: Settings } | null = null;
+  /** Whether it goes on as it began. */
+  const isAsStudied = ({ studied }: { studied: Settings }) =>
+    scene.state.compared !== null && differing(scene.state, studied).length === 0;
   const studied = Object.entries(STUDIED).map(([name, [left, right]]) => ({
     name: name as Studied,
     element: button(CHOICES[name as Studied], () => {
+      const own = former && isAsStudied(former) ? former.own : settingsOf(scene.state);
+      former = { own, studied: left };
       scene.edit({ ...left, compared: { ...right, split: scene.state.compared?.split ?? MIDDLE } });
     }),
   }));
@@ -58,7 +65,10 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     const own = settingsOf(scene.state);
     scene.edit({ ...settingsOf(compared), compared: { ...own, split: compared.split } });
   });
-  const end = button(t('Stop comparing'), () => put(null));
+  const end = button(t('Stop comparing'), () => {
+    scene.edit({ ...(former && isAsStudied(former) ? former.own : {}), compared: null });
+    former = null;
+  });
 
   const method = select(t('Method'), labelled(METHOD.names, METHODS), (value) => change({ method: value }));
   const windows = select(

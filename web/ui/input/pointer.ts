@@ -74,11 +74,14 @@ export class PointerInput {
     listenToWheel(stage, session.view, cameraMoved);
     // A field that arrives under a resting pointer changes the readout.
     session.shown.watch(() => this.#showHover());
+    // And so does a camera that has come to rest.
+    session.scene.subscribe(({ camera }, previous) => {
+      if (camera !== previous.camera) this.#showHover();
+    });
   }
 
   #down(event: PointerEvent): void {
     const { clientX: x, clientY: y } = event;
-    this.#stage.focus({ preventScroll: true });
     this.#stage.setPointerCapture(event.pointerId);
     this.#pointers.set(event.pointerId, { x, y });
     clearTimeout(this.#longPress);

@@ -140,6 +140,7 @@ function knownLength(
     UNITS.map((name) => [name, name === 'none' ? t('units') : name] as const),
     (value) => (chosen = value),
   );
+  const trouble = h('p', { class: 'quiet', role: 'status' });
   const set = h(
     'button',
     {
@@ -147,7 +148,9 @@ function knownLength(
       title: t('Corrects the size of the model, so that this tape has that length'),
       onclick: () => {
         const scale = field.valueAsNumber / measured;
-        if (scale >= SCALES[0] && scale <= SCALES[1]) scene.edit({ scale, unit: chosen, shownUnit: null });
+        const isKnown = scale >= SCALES[0] && scale <= SCALES[1];
+        say(trouble, isKnown ? null : t('Give the length of this tape, a number above 0.'));
+        if (isKnown) scene.edit({ scale, unit: chosen, shownUnit: null });
       },
     },
     t('Set scale'),
@@ -169,6 +172,7 @@ function knownLength(
     unit.element,
     set,
     reset,
+    trouble,
   );
   return {
     element,

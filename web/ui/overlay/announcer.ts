@@ -2,6 +2,7 @@
 import type { Session } from '../../session/session';
 import { isSameUnit, unitOf } from '../../length';
 import { h, say } from '../dom';
+import { isWeighted } from '../../state/ground';
 import { measure } from '../../state/measures';
 import { refiningSentence } from '../words';
 import { sentences, t, type Words } from '../../texts';
@@ -35,7 +36,9 @@ function announcement({ scene, shown, refiner }: Session): Words {
   const unit = unitOf(scene.state, opened);
   return sentences(
     refiningSentence(refiner.phase.value, answer.field, scene.state, unit),
-    t`Maximum distance ${measure(answer.field.maxDistance, unit)}.`,
+    isWeighted(answer.question.ground)
+      ? t`Greatest cost ${measure(answer.field.maxDistance, unit)}.`
+      : t`Maximum distance ${measure(answer.field.maxDistance, unit)}.`,
     answer.path ? t`Path ${measure(answer.path.length, unit)}.` : null,
   );
 }

@@ -11,7 +11,7 @@ const AXES: readonly (readonly [Up, string])[] = [
   ['z', 'Z'],
 ];
 
-/** One for all files: "2.84 m from corner to corner? mm cm m km in ft · up Y Z"; what is taken for right is pressed. */
+/** One for all files: "2.84 m across? mm cm m km in ft · up Y Z"; what is taken for right is pressed. */
 export function question({ scene, shown }: Session): HTMLElement {
   const length = h('span', { class: 'quiet' });
   const units = SHOWN_UNITS.map((unit) =>
@@ -23,7 +23,7 @@ export function question({ scene, shown }: Session): HTMLElement {
     const { opened, places } = shown.value;
     const { state } = scene;
     const size = measure(places.diameter, { ...unitOf(state, opened), assumed: false });
-    say(length, isKnown(ownUnitOf(state, opened)) ? t`${size} from corner to corner?` : t('In which unit?'));
+    say(length, isKnown(ownUnitOf(state, opened)) ? t`${size} across?` : t('In which unit?'));
     units.forEach((button, index) =>
       button.setAttribute('aria-pressed', String(ownUnitOf(state, opened).symbol === SHOWN_UNITS[index])),
     );
@@ -34,7 +34,7 @@ export function question({ scene, shown }: Session): HTMLElement {
   scene.subscribe(show);
   return h(
     'div',
-    {},
+    { class: 'questions' },
     group(t('Unit of the file'), length, units),
     group(t('Axis that points up'), h('span', { class: 'quiet' }, t('Up')), axes),
   );

@@ -12,6 +12,8 @@ interface Reading {
   point: MeshPoint;
   x: number;
   y: number;
+  /** From where it was seen. */
+  camera: string;
 }
 
 /** Distance and nearest input vertex under the pointer or the reticle; ≈ where distance is between those of vertices. */
@@ -32,14 +34,23 @@ export class Readout {
       this.hide();
       return;
     }
-    this.#reading = { point, x, y };
+    this.#reading = { point, x, y, camera: this.#camera };
     this.#draw(this.#reading, text);
     void this.#makeExact();
+  }
+
+  /** Under the place on the screen there is another one once the camera has moved. */
+  follow(): void {
+    if (this.#reading && this.#reading.camera !== this.#camera) this.hide();
   }
 
   hide(): void {
     this.#reading = null;
     this.element.hidden = true;
+  }
+
+  get #camera(): string {
+    return String(this.#session.view.camera);
   }
 
   /** Asks for the exact distance of what is read, one question at a time, and shows it if that is read still. */

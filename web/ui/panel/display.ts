@@ -27,7 +27,7 @@ type Arrows = (typeof ARROWS)[number] | 'none';
 
 const COLOR_BY_WORDS: Record<VertexField, Words> = {
   distance: t('distance'),
-  heat: t('heat, log scale'),
+  heat: t('heat (of the heat method), log scale'),
   error: t('error before refinement'),
 };
 
@@ -73,7 +73,7 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
     max: CROWD_STEPS,
     step: 1,
     // A link may ask for a number between two steps.
-    describe: () => (scene.state.crowd === 0 ? t('none') : count(scene.state.crowd)),
+    describe: () => (scene.state.crowd === 0 ? t('nobody') : count(scene.state.crowd)),
     change: (value, gesture) => scene.edit({ crowd: walkersAt(value) }, gesture),
   });
   const onStage = toggle(t('Legend'), (on) => (isLegendOn.value = on));

@@ -5,7 +5,7 @@ import { isolineWish } from '../../session/isolines';
 import type { Engine } from '../../solver/engine';
 import type { Session } from '../../session/session';
 import { commandLines, type Measured, pythonLines } from '../../state/reproduce';
-import type { MeshReference } from '../../state/scene';
+import type { MeshReference, Overlay } from '../../state/scene';
 import { isolinesText, parseIsolines } from '../../state/isolines';
 import { rustLines } from '../../state/rust';
 import { inModel, isKnown, isSameUnit, type LengthUnit, MODEL, told, toldArea, unitOf, unitOfFile } from '../../length';
@@ -126,7 +126,11 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   };
   at.addEventListener('input', () => {
     try {
-      session.scene.edit({ isolines: parseIsolines(at.value, shownUnit(session)) }, typing);
+      const isolines = parseIsolines(at.value, shownUnit(session));
+      const { overlays } = session.scene.state;
+      // Who asks for some wants to see them.
+      const shown: readonly Overlay[] = overlays.includes('isolines') ? overlays : [...overlays, 'isolines'];
+      session.scene.edit(isolines ? { isolines, overlays: shown } : { isolines }, typing);
     } catch {
       // It may be half typed.
     }
@@ -147,6 +151,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   const measure = async () => {
     const isolines = await measured(session).queries.isolines(wish());
     table.replaceChildren(tableOf(isolines, shownUnit(session)));
+    return t('Curves are straight within triangles: short of the true ones, the more the larger the triangles are.');
   };
   let [kind] = CURVES[0];
   const file = select(t('File'), CURVES, (value) => (kind = value));

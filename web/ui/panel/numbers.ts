@@ -2,6 +2,7 @@ import type { PathKind } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { isSameUnit, type LengthUnit, unitOf } from '../../length';
+import { isWeighted } from '../../state/ground';
 import { h, say } from '../dom';
 import { measure, threeDigits } from '../../state/measures';
 import { bytes, finePercent, milliseconds, percent, percentDown } from '../words';
@@ -17,18 +18,20 @@ const PATH_WORDS: Record<PathKind, Words> = {
 export function numbersSection(session: Session): HTMLElement {
   const table = h('dl', { class: 'numbers' });
   const row = (name: Words) => {
-    const cell = h('dd');
-    table.append(h('dt', {}, name), cell);
-    return cell;
+    const [head, cell] = [h('dt', {}, name), h('dd')];
+    table.append(head, cell);
+    return { head, cell };
   };
-  const [renderer, pixels] = [row(t('Renderer')), row(t('Pixels drawn'))];
-  const cells: HTMLElement[] = [];
+  const [renderer, pixels] = [row(t('Renderer')).cell, row(t('Pixels drawn')).cell];
+  const rows: ReturnType<typeof row>[] = [];
   const show = () => {
     const { scene, shown } = session;
     if (!shown.value) return;
-    figures(shown.value, unitOf(scene.state, shown.value.opened)).forEach(([name, value], index) =>
-      say((cells[index] ??= row(name)), value),
-    );
+    figures(shown.value, unitOf(scene.state, shown.value.opened)).forEach(([name, value], index) => {
+      const { head, cell } = (rows[index] ??= row(name));
+      say(head, name);
+      say(cell, value);
+    });
   };
   session.shown.watch(show);
   session.scene.subscribe((state, previous) => {
@@ -55,7 +58,10 @@ function figures({ opened, answer, places }: Shown, unit: LengthUnit): [Words, W
     [t('Euler characteristic'), count(report.eulerCharacteristic)],
     [t('Mean edge'), measure(opened.meanEdge, unit)],
     [t('Diameter'), measure(places.diameter, unit)],
-    [t('Maximum distance'), field ? measure(field.maxDistance, unit) : '–'],
+    [
+      isWeighted(answer.question.ground) ? t('Greatest cost') : t('Maximum distance'),
+      field ? measure(field.maxDistance, unit) : '–',
+    ],
     [t('Exact vertices'), field ? percentDown(field.exactShare) : '–'],
     [t('Mean error before refinement'), field?.error ? finePercent(field.error.mean) : '–'],
     [t('Maximum error'), field?.error ? finePercent(field.error.max) : '–'],

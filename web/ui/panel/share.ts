@@ -1,5 +1,6 @@
 import type { Frames } from '../../session/frames';
 import type { Session } from '../../session/session';
+import type { SceneState } from '../../state/scene';
 import { fitLink } from '../../state/sets';
 import { png, save } from '../../view/picture';
 import { copy } from '../clipboard';
@@ -27,6 +28,13 @@ export function shareSection(session: Session, link: () => string, frames: Frame
 
 /** Of the frame; its host may change it. */
 const FRAME = { width: 800, height: 600 };
+
+/** Where who opens a link has the mesh from. */
+const WHENCE = {
+  preset: null,
+  file: t('The link contains the scene but not your file. Whoever opens it is asked for the file.'),
+  address: t('The link contains the scene and the address of the mesh, which is fetched from there.'),
+} satisfies Record<SceneState['mesh']['kind'], Words | null>;
 
 /** HTML that shows the scene in another page, without the panel. */
 function frameOf(link: string): string {
@@ -57,6 +65,10 @@ function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
     field.select();
     say(said, t('The clipboard is not available. Copy it from the field.'));
   };
+  const whence = h('p', { class: 'quiet' });
+  const show = () => say(whence, WHENCE[scene.state.mesh.kind]);
+  scene.subscribe(show);
+  show();
   return [
     h(
       'button',
@@ -79,11 +91,7 @@ function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
     ),
     field,
     said,
-    h(
-      'p',
-      { class: 'quiet' },
-      t('The link contains the scene but not your file. Whoever opens it is asked for the file.'),
-    ),
+    whence,
   ];
 }
 

@@ -37,7 +37,7 @@ const INSIDE_HINT = t(
 const PATHS: Record<PathKind, Words> = {
   descent: t('Steepest descent'),
   straight: t('Straightened'),
-  exact: t('Exact'),
+  exact: t('Shortest, exact'),
 };
 /** Any other distance is given by the link. */
 const BRIDGES: readonly (readonly [Bridge, Words])[] = [

@@ -23,7 +23,7 @@ const OWN = 'own';
 export function unitControls({ scene, shown }: Session): HTMLElement[] {
   const corrections: [UnitChoice, Words][] = [
     [AUTOMATIC, t('automatic')],
-    ...UNITS.map((name): [UnitChoice, Words] => [name, name === 'none' ? t('none') : name]),
+    ...UNITS.map((name): [UnitChoice, Words] => [name, name === 'none' ? t('no unit') : name]),
   ];
   const correct = select(t('Correct unit'), corrections, (unit) => scene.edit({ unit, scale: 1 }));
   attribute(

@@ -89,7 +89,10 @@ export function contentOf(session: Session, isCompact: boolean): Content | null 
   const ticks = ticksOf(painted, unit, MOST_TICKS[form]);
   const plain = { ...unit, assumed: false };
   const axes = isCompact ? [] : axesOf(session);
-  const apart = spacing && bar ? apartWords(style.pattern, measure(spacing, plain)) : null;
+  const apart =
+    spacing && bar
+      ? apartWords(style.pattern, painted.isCost ? t`${measure(spacing, plain)} of cost` : measure(spacing, plain))
+      : null;
   return {
     isCompact,
     bar: bar
