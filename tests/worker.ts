@@ -4,7 +4,8 @@ import type { Page, Worker } from '@playwright/test';
 /** Runs a script in each of them, before its own. */
 export async function runInWorkers(page: Page, script: string): Promise<void> {
   await page.route(/entry.*\.js$/, async (route) => {
-    const response = await route.fetch();
+    // The server may close a connection that was idle in the moment in which it is used again.
+    const response = await route.fetch({ maxRetries: 3 });
     await route.fulfill({ response, body: script + (await response.text()) });
   });
 }

@@ -67,6 +67,7 @@ const tool = new Signal<Tool>('source');
 const ground = new GroundEditor(session, tool);
 const opener = new Opener(session, messages, ground);
 const address = new Address(scene);
+messages.sumsUp = !address.kiosk;
 const known = location.hash;
 const readout = new Readout(session);
 const { workspace } = address;

@@ -133,10 +133,10 @@ test('two frames in a page of another origin are told apart, asked and heard', a
   });
   for (const [index, reason] of [
     'sources[0], {"vertex":1000000}, is not on ball.off.',
-    "The link's look=nothing is invalid",
+    'look=nothing: no such value.',
     'There is no option colour.',
     'fill belong to the mesh',
-    'The preset of this link does not exist',
+    'is no preset: see window.heatwalk.presets',
     'bad.off was not opened',
     'There is no method “paint”',
   ].entries())

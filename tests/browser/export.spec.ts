@@ -53,6 +53,11 @@ test('isolines are drawn, measured and saved, and distances with the materials o
   const path = await saved(page, 'Save path');
   expect(path.name).toBe('torus.path.glb');
   expect(await complaints(path.bytes)).toEqual([]);
+  await section.getByLabel('Path').selectOption('csv');
+  const places = (await saved(page, 'Save path')).bytes.toString().trim().split('\n');
+  const walked = Number(places.at(-1)?.split(',')[0]);
+  const { length = NaN } = (await page.evaluate(() => window.heatwalk.walker)) ?? {};
+  expect(walked / length).toBeCloseTo(1, 11);
 
   await curves.selectOption('unrolled.svg');
   await page.getByRole('button', { name: 'Save isolines' }).click();

@@ -30,7 +30,11 @@ test.describe('in a browser that wants French', () => {
     await openSection(page, 'compare');
     await page.locator('#section-compare').scrollIntoViewIfNeeded();
     await openSection(page, 'export');
-    await expect(page.getByRole('textbox', { name: 'Isolignes à' })).toBeVisible();
+    // A comma in a number is the decimal one, as the page writes it.
+    await page.getByRole('textbox', { name: 'Isolignes à' }).fill('0,5');
+    expect((await heatwalk.scene()).isolines).toEqual({ values: [], spacing: 0.5 });
+    await page.getByRole('textbox', { name: 'Isolignes à' }).fill('0,5; 1');
+    expect((await heatwalk.scene()).isolines).toEqual({ values: [0.5, 1], spacing: 0 });
     const bare = () =>
       page
         .locator('.panel .field')

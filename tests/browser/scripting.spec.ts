@@ -100,7 +100,7 @@ test('scripts open, set, measure and wait; the examples of the document run as t
     'open takes an object, not missing',
     'files[0].content is “OFF”; a Blob, File or ArrayBuffer is needed.',
     'bad.off was not opened',
-    'The preset of this link does not exist',
+    'is no preset: see window.heatwalk.presets',
     'options is “gold”; an object of keys of the link is needed.',
     'There is no option colour.',
     'fill belong to the mesh: give them to open.',

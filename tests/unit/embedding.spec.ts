@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test';
 import { addressed, parseRequest } from '../../web/ui/embedding/requests';
-import { inFile } from '../../web/ui/control/figures';
+import { filePlace } from '../../web/session/nearest';
 import { UP } from '../../web/wasm/contract';
 
 const ask = (method: string, rest: object = {}) => parseRequest({ heatwalk: 1, id: 1, method, ...rest });
@@ -74,8 +74,7 @@ test('what is drawn goes back to the axes of the file, whatever points up', () =
   };
   const center: [number, number, number] = [10, 20, 30];
   for (const up of UP.names) {
-    const drawn = turned[up]([1, 2, 3].map((along) => along / 2));
-    const places = inFile(Float32Array.from([...drawn, ...drawn]), { center, scale: 0.5, up });
-    expect([...places]).toEqual([11, 22, 33, 11, 22, 33]);
+    const [x = NaN, y = NaN, z = NaN] = turned[up]([1, 2, 3].map((along) => along / 2));
+    expect(filePlace([x, y, z], { center, scale: 0.5, up })).toEqual([11, 22, 33]);
   }
 });

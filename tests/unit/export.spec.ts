@@ -1,11 +1,11 @@
 import { readFile } from 'node:fs/promises';
 import { expect, test } from '@playwright/test';
 import { MODEL, ofModel } from '../../web/length';
-import type { DrawPath } from '../../web/protocol';
-import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../web/session/export';
+import { pathFile, towardEye, trackPoints, tracksFile } from '../../web/session/export';
 import { commandLines, type Measured, pythonLines } from '../../web/state/reproduce';
 import { emptyScene } from '../../web/state/scene';
 import { rustLines } from '../../web/state/rust';
+import type { Vector } from '../../web/state/vector';
 import { complaints } from '../gltf';
 
 const REPORT = { degenerateFaces: 0, duplicateFaces: 0, flippedFaces: 0 } as Measured['opened']['report'];
@@ -101,13 +101,10 @@ test('what costs more is in files that the lines write, and what the program doe
 });
 
 test('paths are written in the unit of the file', () => {
-  const path = { points: Float32Array.of(0, 0, 0, 1, 2, 3) } as DrawPath;
-  const points = pathPoints(path, { center: [10, 20, 30], scale: 2, up: 'z' });
-  // Drawn along Y is along Z in the file, and drawn along Z is against Y.
-  expect(points).toEqual([
+  const points: Vector[] = [
     [10, 20, 30],
     [10.5, 18.5, 31],
-  ]);
+  ];
   expect(pathFile('obj', points, MODEL)).toContain('v 10.5 18.5 31\nl 1 2\n');
   expect(
     pathFile(

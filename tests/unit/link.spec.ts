@@ -225,7 +225,7 @@ test('a preset with other settings can be set back to the defaults', () => {
   };
   const link = encodeLink(START, start);
   expect(link).toBe('v=1&m=bunny&t=auto&near=auto&refine=1&way=straight');
-  expect(decodeLink(link, () => start)).toEqual({ state: START, notices: [], unknown: [] });
+  expect(decodeLink(link, () => start)).toEqual({ state: START, notices: [], refused: [], unknown: [] });
 });
 
 test('an old link keeps its meaning', () => {
@@ -273,7 +273,7 @@ test('rounding happens once: a link made from a link is equal', () => {
 
 test('unknown keys are ignored, and named', () => {
   const decoded = decodeLink('#v=1&m=bunny&colour=red&kiosk=1', startOf);
-  expect(decoded).toEqual({ state: START, notices: [], unknown: ['colour'] });
+  expect(decoded).toEqual({ state: START, notices: [], refused: [], unknown: ['colour'] });
 });
 
 for (const [broken, key] of [
@@ -324,13 +324,19 @@ for (const [broken, key] of [
   });
 }
 
+test('several broken values are named in one notice', () => {
+  const { notices, refused } = decodeLink('#v=1&m=bunny&look=plaid&width=2', startOf);
+  expect(refused.toSorted()).toEqual(['look=plaid', 'width=2']);
+  expect(notices.map(String)).toEqual([`The link's ${refused.join(' and ')} are invalid; the defaults are used.`]);
+});
+
 test('another version gives a notice', () => {
   expect(decodeLink('#v=2&m=bunny', startOf).notices).toHaveLength(1);
 });
 
 test('a fragment without an existing mesh is not a scene', () => {
-  expect(decodeLink('', startOf)).toEqual({ state: null, notices: [], unknown: [] });
-  expect(decodeLink('#v=1&s=3', startOf)).toEqual({ state: null, notices: [], unknown: [] });
+  expect(decodeLink('', startOf)).toEqual({ state: null, notices: [], refused: [], unknown: [] });
+  expect(decodeLink('#v=1&s=3', startOf)).toEqual({ state: null, notices: [], refused: [], unknown: [] });
   const { state, notices } = decodeLink('#v=1&m=unicorn', startOf);
   expect(state).toBeNull();
   expect(notices.map(String)).toEqual(['The preset of this link does not exist; the first preset is shown.']);
@@ -346,6 +352,7 @@ test('an address survives the link with what is set for its mesh, and alone it i
   expect(decodeLink('#model=https://models.example/cow.obj', startOf)).toEqual({
     state: emptyScene({ kind: 'address', address: 'https://models.example/cow.obj', path: '', hash: '' }),
     notices: [],
+    refused: [],
     unknown: [],
   });
 });

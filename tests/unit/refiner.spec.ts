@@ -11,6 +11,7 @@ import { OUT_OF_MEMORY } from '../../web/wasm/contract';
 const STATE = emptyScene({ kind: 'preset', id: 'bunny' });
 const PATH: DrawPath = {
   points: new Float32Array(),
+  places: new Float64Array(),
   normals: new Float32Array(),
   drawnLength: 1,
   length: ofModel(2),

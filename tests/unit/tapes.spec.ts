@@ -122,6 +122,7 @@ test('a tape that encloses no area says why', () => {
   const lines = new Float32Array();
   const path = {
     points: lines,
+    places: new Float64Array(6),
     normals: lines,
     segmentCosts: lines,
     drawnLength: 2,

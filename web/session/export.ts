@@ -1,9 +1,8 @@
 /** What leaves the page: the direction that curves are seen from, and paths as files. */
-import type { DrawTransform, DrawPath, Tracks } from '../protocol';
+import type { Tracks } from '../protocol';
 import { headOf, type LengthUnit, unitOfFile } from '../length';
-import { type Vector, distance, scaled, vectorAt, vectorsIn } from '../state/vector';
+import { type Vector, distance, scaled, vectorAt } from '../state/vector';
 import { GlbFile, LINES } from './glb';
-import { filePlace } from './nearest';
 
 /** Kinds of files of a path. */
 export type PathFile = 'csv' | 'obj' | 'glb';
@@ -12,11 +11,6 @@ export type PathFile = 'csv' | 'obj' | 'glb';
 export function towardEye(camera: readonly number[] | null): Vector {
   const [yaw = 0, pitch = 0] = camera ?? [];
   return [Math.cos(pitch) * Math.sin(yaw), Math.sin(pitch), Math.cos(pitch) * Math.cos(yaw)];
-}
-
-/** The points of a path in the unit of the file. */
-export function pathPoints({ points }: DrawPath, transform: DrawTransform): Vector[] {
-  return vectorsIn(points).map((drawn) => filePlace(drawn, transform));
 }
 
 /** The points of each track. */

@@ -22,7 +22,7 @@ import type { LoadingListener } from './loading';
 import type { Action, Notifier } from './notifier';
 import type { OpenRequest, Shown } from './prepare';
 import type { Session } from './session';
-import { count, t, type Words } from '../texts';
+import { count, sentences, t, type Words } from '../texts';
 
 /** Files of one drop, paste or dialog. `title` names them while they are read. */
 export interface InputFiles {
@@ -130,7 +130,7 @@ export class Opener {
     if (!scene) return false;
     const { mesh } = scene;
     const { state, notices } = decodeLink(scene.link, startOf);
-    for (const notice of notices) this.#notifier.notice(notice);
+    if (notices.length > 0) this.#notifier.notice(sentences(...notices));
     if (state?.mesh.kind === 'preset') await this.preset(state.mesh.id, state);
     else if (state && mesh !== null)
       await this.#gather(
@@ -231,7 +231,7 @@ export class Opener {
   /** A shared scene, or the first preset when the fragment names none. */
   async link(fragment: string): Promise<void> {
     const { state, notices } = decodeLink(fragment, startOf);
-    for (const notice of notices) this.#notifier.notice(notice);
+    if (notices.length > 0) this.#notifier.notice(sentences(...notices));
     if (state && (await this.#find(state))) return;
     if (!state || !this.#session.shown.value) await this.preset(FIRST_PRESET.id);
     if (state) this.#await(state);

@@ -24,6 +24,8 @@ export class Scene {
   #past: Step[] = [];
   #future: Step[] = [];
   #gesture: object | null = null;
+  /** Whether the last step was taken back, or done again. */
+  travelled: 'back' | 'forth' | null = null;
   /** How often another mesh, or the same in another way, has come. */
   loads = 0;
   readonly #listeners = new Set<SceneListener>();
@@ -60,6 +62,7 @@ export class Scene {
     const next = withValidSelection({ ...this.#state, ...change });
     if (gesture === null || gesture !== this.#gesture) this.#past = bounded([...this.#past, stepTo(this.#state, next)]);
     this.#gesture = gesture;
+    this.travelled = null;
     this.#future = [];
     this.#replace(next);
   }
@@ -88,6 +91,7 @@ export class Scene {
     this.#past = [];
     this.#future = [];
     this.#gesture = null;
+    this.travelled = null;
     this.loads += 1;
     this.#replace(state);
   }
@@ -97,6 +101,7 @@ export class Scene {
     if (!step) return false;
     to.push(stepTo(this.#state, step.state));
     this.#gesture = null;
+    this.travelled = from === this.#past ? 'back' : 'forth';
     this.#replace(withValidSelection({ ...this.#state, ...step.state }));
     return true;
   }

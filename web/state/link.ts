@@ -43,7 +43,7 @@ import {
   within,
 } from './text';
 import { isWorkspace } from './workspace';
-import { Phrase, t, type Words } from '../texts';
+import { counted, enumerated, Phrase, t, type Words } from '../texts';
 
 const VERSION = '1';
 /** An hour: longer than any animation of a model. */
@@ -54,8 +54,10 @@ const MOST_PARTS = 1_000_000;
 export interface Decoded {
   /** Null where the fragment names no mesh, or none that there can be. */
   state: SceneState | null;
-  /** One sentence for each value that could not be used. */
+  /** What is to be told of it. */
   notices: Words[];
+  /** Values that could not be used, as `key=value`. */
+  refused: string[];
   /** Keys that mean nothing, or nothing any more. */
   unknown: string[];
 }
@@ -228,18 +230,18 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   const notices: Words[] = [];
   const mesh = parseMesh(entries);
   if (mesh instanceof Phrase) notices.push(mesh);
-  if (mesh === null || mesh instanceof Phrase) return { state: null, notices, unknown: [] };
+  if (mesh === null || mesh instanceof Phrase) return { state: null, notices, refused: [], unknown: [] };
   const start = startOf(mesh);
   if (!start) {
     notices.push(t('The preset of this link does not exist; the first preset is shown.'));
-    return { state: null, notices, unknown: [] };
+    return { state: null, notices, refused: [], unknown: [] };
   }
   if ((entries.get('v') ?? VERSION) !== VERSION) {
     notices.push(t('This link was made by another version of the page; some of it may be ignored.'));
   }
   let state = start;
-  const refuse = (key: string, text: string) =>
-    notices.push(t`The link's ${key}=${text.slice(0, 40)} is invalid; the default is used.`);
+  const refused: string[] = [];
+  const refuse = (key: string, text: string) => refused.push(`${key}=${text.slice(0, 40)}`);
   for (const key of KEYS) {
     const text = entries.get(key.key);
     if (text === null) continue;
@@ -249,8 +251,17 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   }
   const open = entries.get('open');
   if (open !== null && !isWorkspace(open)) refuse('open', open);
+  if (refused.length > 0) {
+    const words = counted(
+      refused.length,
+      "The link's {1} is invalid; the default is used.",
+      "The link's {1} are invalid; the defaults are used.",
+      enumerated(refused),
+    );
+    notices.push(words);
+  }
   const known = new Set([...ADDRESS_KEYS, ...KEYS.map(({ key }) => key)]);
-  return { state, notices, unknown: [...entries.keys()].filter((key) => !known.has(key)) };
+  return { state, notices, refused, unknown: [...entries.keys()].filter((key) => !known.has(key)) };
 }
 
 function encodeMesh(mesh: MeshReference): [string, string][] {

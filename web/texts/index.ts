@@ -12,6 +12,7 @@ export {
   listed,
   numbers,
   Phrase,
+  plainNumbers,
   retold,
   sentences,
   some,

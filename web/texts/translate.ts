@@ -58,6 +58,13 @@ export function numbers(options: Intl.NumberFormatOptions): (value: Plain) => Ph
 /** A whole number, with its thousands apart. */
 export const count = numbers({ maximumFractionDigits: 0 });
 
+const decimals = formatOf((language) => new Intl.NumberFormat(language).format(0.5));
+
+/** Numbers as a person types them, with decimal points: where the language has decimal commas, a comma between digits is one. */
+export function plainNumbers(text: string): string {
+  return decimals().includes(',') ? text.replaceAll(/(?<=\d),(?=\d)/g, '.') : text;
+}
+
 const plurals = formatOf((language) => new Intl.PluralRules(language));
 
 /** A text about a number, which is `{0}` in it; `more` are the values after it. */

@@ -54,6 +54,8 @@ pub struct FieldError {
 pub struct DrawPath {
     /// `#P × 3`, from the start to the source, as they are drawn.
     pub points: Vec<f32>,
+    /// `#P × 3`, the same points in the axes and the unit of the file.
+    pub places: Vec<f64>,
     /// `#P × 3`, unit normals of the surface at the points; inside, upward across the path.
     pub normals: Vec<f32>,
     /// Its length in the file's unit, in the pose that distances are measured in.

@@ -115,6 +115,7 @@ pub(crate) fn draw_path(path: &VolumePath, transform: &DrawTransform) -> DrawPat
     };
     DrawPath {
         points: places.iter().flat_map(|place| place.as_vec3().to_array()).collect(),
+        places: path.points.iter().flat_map(|point| point.to_array()).collect(),
         normals: (0..places.len()).flat_map(|at| upright(heading(at)).as_vec3().to_array()).collect(),
         length: path.length,
         straight: match (path.points.first(), path.points.last()) {

@@ -151,6 +151,7 @@ pub(crate) fn draw_path(
     let length = path.length();
     DrawPath {
         points: transform.places(shown.points.iter().map(|point| point.position)),
+        places: shown.points.iter().flat_map(|point| point.position.to_array()).collect(),
         normals: transform.directions(shown.normals.iter().copied()),
         length,
         straight: straight(path),

@@ -216,7 +216,7 @@ export const HELP: Texts = {
   'Looks through a camera that the file has.': 'Regarde à travers une caméra du fichier.',
   'Lights of the file in the place of those of the style.': 'Les lumières du fichier à la place de celles du style.',
   'A spacing, or values with commas between them; the period of the stripes where it is empty.':
-    'Un pas, ou des valeurs séparées par des virgules ; la période des bandes si c’est vide.',
+    'Un pas, ou des valeurs séparées par des points-virgules ; la période des bandes si c’est vide.',
   'Curves, or the surface cut along them into strips, also unrolled.':
     'Des courbes, ou la surface découpée le long de celles-ci en bandes, dépliées aussi.',
   'A number a vertex, as a table or with the mesh.': 'Un nombre par sommet, en table ou avec le maillage.',

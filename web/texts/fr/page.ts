@@ -247,7 +247,7 @@ export const PAGE: Texts = {
   '{0}: a cost is {1}; it must be from {2} to {3}, or inf for a wall.':
     '{0} : un coût vaut {1} ; il doit être de {2} à {3}, ou inf pour un mur.',
   '{0} is no distance. Give a spacing, or values with commas between them.':
-    '{0} n’est pas une distance. Donnez un pas, ou des valeurs séparées par des virgules.',
+    '{0} n’est pas une distance. Donnez un pas, ou des valeurs séparées par des points-virgules.',
   '{0} values are too many; give at most {1}, or a spacing.':
     '{0} valeurs, c’est trop ; donnez-en {1} au plus, ou un pas.',
   'A spacing of 0 has no end of isolines. Give a larger one.':
@@ -256,8 +256,12 @@ export const PAGE: Texts = {
     'Le préréglage de ce lien n’existe pas ; le premier est montré.',
   'This link was made by another version of the page; some of it may be ignored.':
     'Ce lien vient d’une autre version de la page ; une partie peut en être ignorée.',
-  "The link's {0}={1} is invalid; the default is used.":
-    '{0}={1} dans le lien n’est pas valable ; la valeur par défaut est utilisée.',
+  "The link's {1} is invalid; the default is used.":
+    '{1} dans le lien n’est pas valable ; la valeur par défaut est utilisée.',
+  "The link's {1} are invalid; the defaults are used.":
+    '{1} dans le lien ne sont pas valables ; les valeurs par défaut sont utilisées.',
+  'Undone.': 'Annulé.',
+  'Redone.': 'Rétabli.',
   "The link's model={0} is no http or https address; the first preset is shown.":
     'model={0} dans le lien n’est pas une adresse http ou https ; le premier préréglage est montré.',
   'Give a vertex, or x y z; an initial distance may follow.':

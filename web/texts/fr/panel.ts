@@ -186,7 +186,7 @@ export const PANEL: Texts = {
   'as the stripes': 'comme les bandes',
   File: 'Fichier',
   'A spacing, or values with commas between them; empty: the period of the stripes':
-    'Un pas, ou des valeurs séparées par des virgules ; vide : la période des bandes',
+    'Un pas, ou des valeurs séparées par des points-virgules ; vide : la période des bandes',
   'Isolines at': 'Isolignes à',
   'Measure isolines': 'Mesurer les isolignes',
   'Length of each isoline, and the area that is nearer': 'Longueur de chaque isoligne, et aire plus proche qu’elle',

@@ -13,7 +13,6 @@ import { type LengthUnit, type ModelLength, ofModel, told, unitOf } from '../../
 import { legsOf } from '../../state/tapes';
 import { h } from '../dom';
 import { vectorsIn } from '../../state/vector';
-import { filePlace } from '../../session/nearest';
 import { arcsOf, pointsOf, positionsOf } from '../measure/curves';
 import { withUnit } from '../../state/measures';
 import { percent } from '../words';
@@ -190,7 +189,7 @@ function chartsOf(
     });
   }
   if (path && opened.isTerrain) {
-    const track = vectorsIn(path.points).map((point) => filePlace(point, opened.drawTransform));
+    const track = vectorsIn(path.places);
     const inFile = (length: number) => told(ofModel(length), unit);
     charts.push({
       title: t('Height along the path'),

@@ -17,7 +17,7 @@ export function table1(): HTMLElement {
   );
   const measure = async (signal: AbortSignal) => {
     rows.length = 0;
-    for (const body of [...table.tBodies]) body.remove();
+    table.querySelectorAll('tbody').forEach((body) => body.remove());
     [table.hidden, saving.hidden, progress.max] = [false, true, REPORT.length];
     await measureTable(
       signal,

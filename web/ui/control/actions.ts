@@ -9,6 +9,7 @@ import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { entry } from '../../state/entry';
 import { fits } from '../../state/ground';
+import { PRESETS } from '../../state/presets';
 import { decodeLink, isOpenedWith, isUndoable } from '../../state/link';
 import type { SceneState } from '../../state/scene';
 import type { Tape } from '../../state/tapes';
@@ -155,9 +156,9 @@ async function openWith(opener: Opener, what: Openable): Promise<void> {
   if ('link' in what) return openLink(opener, what.link);
   const options = what.options ? `&${written(what.options)}` : '';
   if ('preset' in what) {
-    const { mesh, ...state } = decoded(`m=${encodeURIComponent(what.preset)}${options}`);
-    if (mesh.kind !== 'preset') throw new Error(`${what.preset} is no preset: see window.heatwalk.presets.`);
-    return opener.preset(mesh.id, { mesh, ...state });
+    if (!PRESETS.some(({ id }) => id === what.preset))
+      throw new Error(`${what.preset} is no preset: see window.heatwalk.presets.`);
+    return opener.preset(what.preset, decoded(`m=${encodeURIComponent(what.preset)}${options}`));
   }
   if ('url' in what) {
     const { mesh, ...state } = decoded(`model=${encodeURIComponent(what.url)}${options}`);
@@ -182,7 +183,8 @@ async function openLink(opener: Opener, link: string): Promise<void> {
 
 /** Throws what a link would be forgiven. */
 function decoded(fragment: string, start: typeof startOf = startOf): SceneState {
-  const { state, notices, unknown } = decodeLink(fragment, start);
+  const { state, notices, refused, unknown } = decodeLink(fragment, start);
+  if (refused.length > 0) throw new Error(`${refused.join(', ')}: no such value.`);
   if (notices.length > 0) throw new Failure(sentences(...notices));
   if (unknown.length > 0) throw new Error(`There is no option ${unknown.join(', ')}.`);
   if (!state) throw new Error('The link names no mesh.');

@@ -1,14 +1,12 @@
 /** What scripts and the page around the frame get, in the types of web/embed.ts. */
 import type { Distances, FieldFigures, MeshFigures, Path, State } from '../../embed';
-import type { DistanceField, DrawTransform } from '../../protocol';
+import type { DistanceField } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { unitOf } from '../../length';
 import type { SceneState } from '../../state/scene';
 import type { Heatwalk } from '../scripting';
 import { entry } from '../../state/entry';
-import { filePlace } from '../../session/nearest';
-import { vectorsIn } from '../../state/vector';
 
 export function meshFigures({ opened, places }: Shown, state: SceneState): MeshFigures {
   const { name, report } = opened;
@@ -60,13 +58,8 @@ export function distancesOf({ opened, answer: { field } }: Pick<Shown, 'opened' 
 }
 
 /** Null without a walker, and where no source reaches it. */
-export function pathOf({ opened, answer: { path, pathKind } }: Pick<Shown, 'opened' | 'answer'>): Path | null {
+export function pathOf({ answer: { path, pathKind } }: Pick<Shown, 'answer'>): Path | null {
   if (!path) return null;
-  const { points, length, cost } = path;
-  return { points: inFile(points, opened.drawTransform), length, cost, kind: pathKind };
-}
-
-/** Points × 3 as they are drawn, in the axes and the unit of the file. */
-export function inFile(drawn: Float32Array, transform: DrawTransform): Float64Array {
-  return Float64Array.from(vectorsIn(drawn).flatMap((point) => filePlace(point, transform)));
+  const { places, length, cost } = path;
+  return { points: places.slice(), length, cost, kind: pathKind };
 }

@@ -13,10 +13,12 @@ const REST_MS = 700;
 export function announcer(session: Session): HTMLElement {
   const element = h('p', { class: 'unseen', 'aria-live': 'polite' });
   let timer: ReturnType<typeof setTimeout> | undefined;
+  /** Whether a step was taken back, or done again, since the last sentence. */
+  let travelled: Words | null = null;
   const tell = () => {
     if (!session.settled || session.dragging) return;
-    const sentence = announcement(session);
-    say(element, sentence);
+    say(element, sentences(travelled, announcement(session)));
+    travelled = null;
   };
   const wait = () => {
     clearTimeout(timer);
@@ -25,7 +27,9 @@ export function announcer(session: Session): HTMLElement {
   session.shown.watch(wait);
   session.refiner.phase.watch(wait);
   session.scene.subscribe((state, previous) => {
-    if (!isSameUnit(state, previous)) wait();
+    const { travelled: way } = session.scene;
+    if (way) travelled = way === 'back' ? t('Undone.') : t('Redone.');
+    if (way || !isSameUnit(state, previous)) wait();
   });
   return element;
 }

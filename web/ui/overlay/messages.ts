@@ -13,6 +13,8 @@ import { absentSentence, openingDetails, openingSentence } from '../words';
 import { t, type Words } from '../../texts';
 
 const SHOWN_MS = 8000;
+/** More would cover the model. */
+const MOST_NOTICES = 3;
 /** Of what can be corrected, which the panel has too. */
 const ASKING_MS = 30_000;
 
@@ -21,6 +23,8 @@ export class Messages implements Notifier {
   readonly #polite = h('div', { role: 'status', 'aria-live': 'polite' });
   readonly #urgent = h('div', { role: 'alert' });
   readonly #chooseFile: () => void;
+  /** Whether it says what was opened; a frame of another page has no room for it. */
+  sumsUp = true;
   /** What asks for what a file does not say of itself; null: nothing does. */
   question: (() => Promise<HTMLElement>) | null = null;
   #summary: HTMLElement | null = null;
@@ -36,9 +40,15 @@ export class Messages implements Notifier {
   }
 
   /** Says what was done; replaces the message about the mesh before, and the last error. */
-  opened(title: Words, { opened, answer }: Shown, state: SceneState): void {
-    const unit = unitOf(state, opened);
+  opened(title: Words, shown: Shown, state: SceneState): void {
     for (const former of [this.#summary, this.#absent, this.#failed, this.#chosen]) former?.remove();
+    if (this.sumsUp) this.#sumUp(title, shown, state);
+    const absent = absentSentence(shown.opened);
+    this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
+  }
+
+  #sumUp(title: Words, { opened, answer }: Shown, state: SceneState): void {
+    const unit = unitOf(state, opened);
     const sentence = openingSentence(title, opened, answer.factoring, unit);
     this.#summary = this.#say(this.#polite, 'summary', sentence, []);
     const lines = openingDetails(opened, answer.factoring, unit).map((line) => h('li', {}, line));
@@ -47,8 +57,6 @@ export class Messages implements Notifier {
     const question = asks ? this.question : null;
     if (question) this.#ask(this.#summary, question);
     this.#fade(this.#summary, question ? ASKING_MS : SHOWN_MS);
-    const absent = absentSentence(opened);
-    this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
   }
 
   notice(text: Words, action?: Action): void {
@@ -59,6 +67,8 @@ export class Messages implements Notifier {
       action?.run();
     };
     const message = this.#say(this.#polite, 'notice', text, action ? [{ ...action, run }] : []);
+    const notices = this.#polite.querySelectorAll('.notice');
+    if (notices.length > MOST_NOTICES) notices[0]?.remove();
   }
 
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void {

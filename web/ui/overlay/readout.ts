@@ -16,7 +16,7 @@ interface Reading {
   camera: string;
 }
 
-/** Distance and nearest input vertex under the pointer or the reticle; ≈ where distance is between those of vertices. */
+/** Distance and nearest input vertex under the pointer or the reticle; ≈ where distance is between those of vertices, or not exact. */
 export class Readout {
   readonly element = h('output', { class: 'readout', hidden: true });
   readonly #session: Session;
@@ -95,6 +95,7 @@ function readoutText({ scene, shown }: Session, point: MeshPoint, exact: ModelLe
   const distance = exact ?? places.valueAt(point, answer.field);
   if (!Number.isFinite(distance)) return t`unreachable · ${vertex}`;
   const length = measure(distance, unitOf(scene.state, opened));
-  const about = exact === null && places.isBetween(point) ? t`≈ ${length}` : length;
+  const about =
+    exact === null && (places.isBetween(point) || distance > answer.field.exactBelow) ? t`≈ ${length}` : length;
   return t`${about} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }

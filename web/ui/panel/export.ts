@@ -1,6 +1,6 @@
 import { Failure, messageOf } from '../../error';
 import type { CurveFile, DistanceFile, InnerDistanceFile, Isolines, SavedCurves } from '../../protocol';
-import { pathFile, pathPoints, towardEye, trackPoints, tracksFile } from '../../session/export';
+import { pathFile, towardEye, trackPoints, tracksFile } from '../../session/export';
 import { isolineWish } from '../../session/isolines';
 import type { Engine } from '../../solver/engine';
 import type { Session } from '../../session/session';
@@ -8,13 +8,14 @@ import { commandLines, type Measured, pythonLines } from '../../state/reproduce'
 import type { MeshReference, Overlay } from '../../state/scene';
 import { isolinesText, parseIsolines } from '../../state/isolines';
 import { rustLines } from '../../state/rust';
+import { vectorsIn } from '../../state/vector';
 import { inModel, isKnown, isSameUnit, type LengthUnit, MODEL, told, toldArea, unitOf, unitOfFile } from '../../length';
 import { save } from '../../view/picture';
 import { copy } from '../clipboard';
 import { h, say, select } from '../dom';
 import { measure as lengthWords, threeDigits, unitWords, withUnit } from '../../state/measures';
 import { fileNameOf } from '../words';
-import { counted, enumerated, listed, t, type Words } from '../../texts';
+import { counted, enumerated, listed, plainNumbers, t, type Words } from '../../texts';
 
 type Curve = readonly [CurveFile['kind'], Words];
 /** First what comes at true scale into other programs. */
@@ -121,12 +122,12 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   const typing = {};
   const wish = () => {
     // The typed text, not the scene, says what cannot be read.
-    parseIsolines(at.value, shownUnit(session));
+    parseIsolines(plainNumbers(at.value), shownUnit(session));
     return isolineWish(session);
   };
   at.addEventListener('input', () => {
     try {
-      const isolines = parseIsolines(at.value, shownUnit(session));
+      const isolines = parseIsolines(plainNumbers(at.value), shownUnit(session));
       const { overlays } = session.scene.state;
       // Who asks for some wants to see them.
       const shown: readonly Overlay[] = overlays.includes('isolines') ? overlays : [...overlays, 'isolines'];
@@ -136,7 +137,8 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
     }
   });
   const show = () => {
-    if (document.activeElement !== at) at.value = isolinesText(session.scene.state.isolines, shownUnit(session));
+    if (document.activeElement !== at)
+      at.value = isolinesText(session.scene.state.isolines, shownUnit(session)).replaceAll(',', ';');
     say(name, withUnit(t('Isolines at'), shownUnit(session).symbol));
   };
   session.scene.subscribe((state, previous) => {
@@ -259,9 +261,9 @@ function pathControls(session: Session, action: Action): HTMLElement[] {
   let kind: (typeof PATHS)[number][0] = 'csv';
   const file = select(t('Path'), PATHS, (value) => (kind = value));
   const work = () => {
-    const { opened, answer } = session.shown.value ?? {};
-    if (!opened || !answer?.path) throw new Failure(t('There is no path. Alt + click the surface to place a walker.'));
-    const points = pathPoints(answer.path, opened.drawTransform);
+    const path = session.shown.value?.answer.path;
+    if (!path) throw new Failure(t('There is no path. Alt + click the surface to place a walker.'));
+    const points = vectorsIn(path.places);
     save(new Blob([pathFile(kind, points, shownUnit(session))]), `${fileNameOf(session.shown.value)}.path.${kind}`);
   };
   return [

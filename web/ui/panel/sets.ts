@@ -9,7 +9,7 @@ import type { SourceSet } from '../../state/sources';
 import { save } from '../../view/picture';
 import { h, say, select } from '../dom';
 import { DRAWING, type Tool } from '../../state/tool';
-import { t, type Words } from '../../texts';
+import { plainNumbers, t, type Words } from '../../texts';
 
 const NO_DRAWING = 'none';
 type Choice = typeof NO_DRAWING | (typeof DRAWING)[number];
@@ -70,7 +70,7 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
     title: t('A vertex of the file, counted from 0, or coordinates in the unit that is shown; a list can be pasted'),
     'aria-label': t('Source to add: a vertex, or x y z'),
     onkeydown: (event) => {
-      if (event instanceof KeyboardEvent && event.key === 'Enter') void add(field.value);
+      if (event instanceof KeyboardEvent && event.key === 'Enter') void add(plainNumbers(field.value));
     },
     // A field of one line would join those of a list.
     onpaste: (event) => {
@@ -84,7 +84,7 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
     'div',
     { class: 'linking' },
     field,
-    h('button', { class: 'small', onclick: () => void add(field.value) }, t('Add')),
+    h('button', { class: 'small', onclick: () => void add(plainNumbers(field.value)) }, t('Add')),
   );
 
   const tooMany = h('p', { class: 'warning', role: 'status', hidden: true });

@@ -67,7 +67,11 @@ function linkControls({ scene }: Session, link: () => string): HTMLElement[] {
   };
   const whence = h('p', { class: 'quiet' });
   const show = () => say(whence, WHENCE[scene.state.mesh.kind]);
-  scene.subscribe(show);
+  scene.subscribe(() => {
+    show();
+    // What was copied is of the scene before.
+    say(said, null);
+  });
   show();
   return [
     h(
