@@ -146,6 +146,7 @@ test('a link opens both sides', { tag: '@page' }, async ({ heatwalk, page }) => 
   expect(scene.compared?.parameters.timeStep).toBe(1000);
   const line = page.getByRole('slider', { name: 'Divider between the two settings' });
   await expect(line).toHaveAttribute('aria-valuetext', '30 % m = 1');
+  await expect(page.locator('#section-compare').getByRole('button', { name: 'Stop comparing' })).toBeVisible();
   await heatwalk.open('#v=1&m=bunny&vs=nonsense');
   await expect(page.getByText('vs=nonsense is invalid')).toBeVisible();
   await expect(line).toBeHidden();

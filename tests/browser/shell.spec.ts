@@ -103,6 +103,17 @@ test('the search finds settings by name and by what is said of them, commands wi
   await page.getByRole('button', { name: 'Search', exact: true }).click();
   await field.fill('hiker');
   await expect(dialog.getByRole('option').first()).toHaveText('SlopeGround');
+  // By what can be chosen, and by what others call it.
+  for (const [word, answer] of [
+    ['dxf', /^File/],
+    ['inches', /^Correct unit/],
+    ['tape', /^Measure/],
+    ['download', /^Save/],
+    ['language', /^Help/],
+  ] as const) {
+    await field.fill(word);
+    await expect(dialog.getByRole('option', { name: answer }).first()).toBeVisible();
+  }
   await field.fill('no such thing');
   await expect(dialog).toContainText('Nothing has these words.');
   await field.fill('turntable');

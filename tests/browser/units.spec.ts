@@ -153,7 +153,7 @@ async function allLengths(heatwalk: HeatwalkPage, symbol: string): Promise<Recor
 
   const section = await openSection(page, 'export');
   const wish = section.getByLabel(symbol ? `Isolines at (${symbol})` : 'Isolines at', { exact: true });
-  found['isolines'] = scaled((await wish.inputValue()).split(',').map(Number), shown);
+  found['isolines'] = scaled((await wish.inputValue()).split(';').map(Number), shown);
   await page.getByRole('button', { name: 'Measure isolines' }).click();
   const cells = section.locator('tbody tr').first().locator('td');
   await expect(section.locator('caption')).toHaveText(`2 isolines${symbol && `, ${symbol}`}`);

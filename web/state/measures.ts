@@ -8,10 +8,16 @@ import {
   toldArea,
   toldVolume,
 } from '../length';
-import { numbers, t, type Words } from '../texts';
+import { numbers, type Phrase, type Plain, t, type Words } from '../texts';
 
-/** A number of three digits. */
-export const threeDigits = numbers({ maximumSignificantDigits: 3, useGrouping: false });
+const written = numbers({ maximumSignificantDigits: 3, useGrouping: false });
+const scientific = numbers({ maximumSignificantDigits: 3, notation: 'scientific' });
+
+/** A number of three digits; by a power of ten where it is very large or small. */
+export function threeDigits(value: Plain): Phrase {
+  const size = Math.abs(value);
+  return size >= 1e12 || (size > 0 && size < 1e-9) ? scientific(value) : written(value);
+}
 
 /** A length with its unit. */
 export function measure(value: ModelLength, unit: LengthUnit): Words {

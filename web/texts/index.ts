@@ -12,6 +12,7 @@ export {
   listed,
   numbers,
   Phrase,
+  type Plain,
   plainNumbers,
   retold,
   sentences,

@@ -9,7 +9,7 @@ use glam::DVec3;
 use heatwalk_model::Error;
 use heatwalk_model::io::{upward, write};
 use heatwalk_shapes as shapes;
-use heatwalk_surface::{Error as SurfaceError, Soup};
+use heatwalk_surface::{Error as SurfaceError, Soup, Unit};
 use serde_json::{Value, json};
 
 use crate::reading::{areas, part_names, read, read_model};
@@ -179,6 +179,16 @@ fn ply_in_three_encodings() {
     let strips =
         SQUARE_PLY.replace("element face 1", "element tristrips 1").replace("4 0 1 2 3 0.5", "8 0 1 3 2 -1 0 1 2 0.5");
     assert_eq!(read("strips.ply", strips).unwrap().triangles, [[0, 1, 3], [3, 1, 2], [0, 1, 2]]);
+}
+
+#[test]
+fn a_comment_of_a_ply_says_the_unit() {
+    let said = |comment: &str| {
+        read("square.ply", SQUARE_PLY.replacen('\n', &format!("\n{comment}\n"), 1)).unwrap().unit
+    };
+    assert_eq!(said("comment lengths in in"), Some(Unit::Inch));
+    assert_eq!(said("comment lengths in parsecs"), None);
+    assert_eq!(said("comment made by hand"), None);
 }
 
 #[test]

@@ -99,10 +99,10 @@ export const HELP: Texts = {
   'Cancel, close, back out': 'Annuler, fermer, revenir',
   Esc: 'Échap',
   'This help': 'Cette aide',
-  'What the lengths in the file are. The numbers stay, and the size of the model changes.':
-    'Ce que sont les longueurs du fichier. Les nombres restent, et la taille du modèle change.',
-  'The unit of all lengths on the page and in saved files. The size of the model stays.':
-    'L’unité de toutes les longueurs sur la page et dans les fichiers enregistrés. La taille du modèle reste.',
+  'What the lengths in the file are: millimeters, meters, inches, … The numbers stay, and the size of the model changes.':
+    'Ce que sont les longueurs du fichier : millimètres, mètres, pouces, … Les nombres restent, et la taille du modèle change.',
+  'The unit of all lengths on the page and in saved files: millimeters, meters, inches, … The size of the model stays.':
+    'L’unité de toutes les longueurs sur la page et dans les fichiers enregistrés : millimètres, mètres, pouces, … La taille du modèle reste.',
   'Which of the animations of the file is shown.': 'L’animation du fichier qui est montrée.',
   'The moment at which the model stands, or begins to play.': 'Le moment où le modèle est arrêté, ou commence.',
   'Times as fast as the file says.': 'Combien de fois plus vite que le fichier.',
@@ -229,4 +229,9 @@ export const HELP: Texts = {
     'Enregistre aussi ce qui est derrière le modèle ; sinon c’est transparent.',
   'What is recorded: a turn around the model, or the walk.': 'Ce qui est filmé : un tour du modèle, ou la marche.',
   'No directions are drawn.': 'Aucune direction n’est dessinée.',
+  'download, export': 'télécharger, exporter',
+  'tape, ruler, length': 'ruban, règle, longueur',
+  'language, shortcuts, about, privacy': 'langue, raccourcis, à propos, vie privée',
+  'import, load, drop': 'importer, charger, déposer',
+  'zoom, center, reset the view': 'zoom, centrer, réinitialiser la vue',
 };

@@ -37,11 +37,15 @@ export const SECTIONS: Record<string, string> = {
 export const SETTINGS: Record<string, Record<string, Explanation>> = {
   scene: {
     'Correct unit': about(
-      t('What the lengths in the file are. The numbers stay, and the size of the model changes.'),
+      t(
+        'What the lengths in the file are: millimeters, meters, inches, … The numbers stay, and the size of the model changes.',
+      ),
       'page#units',
     ),
     'Convert to': about(
-      t('The unit of all lengths on the page and in saved files. The size of the model stays.'),
+      t(
+        'The unit of all lengths on the page and in saved files: millimeters, meters, inches, … The size of the model stays.',
+      ),
       'page#units',
     ),
   },

@@ -1,11 +1,14 @@
 import type { MeshPoint } from '../../protocol';
 import { exactDistanceAt } from '../../session/distances';
 import type { Session } from '../../session/session';
-import { type ModelLength, unitOf } from '../../length';
+import { type ModelLength, ofModel, unitOf } from '../../length';
 import { h, say } from '../dom';
 import { measure } from '../../state/measures';
 import { percent } from '../words';
 import { t, type Words } from '../../texts';
+
+/** Shares of the diameter below are rounding: places come from the graphics card in single precision. */
+const LEAST = 1e-7;
 
 /** What is read, and where on the screen. */
 interface Reading {
@@ -94,7 +97,9 @@ function readoutText({ scene, shown }: Session, point: MeshPoint, exact: ModelLe
   if (!answer.field) return vertex;
   const distance = exact ?? places.valueAt(point, answer.field);
   if (!Number.isFinite(distance)) return t`unreachable · ${vertex}`;
-  const length = measure(distance, unitOf(scene.state, opened));
+  // Rounding of places is no length.
+  const shownDistance = distance < LEAST * places.diameter ? ofModel(0) : distance;
+  const length = measure(shownDistance, unitOf(scene.state, opened));
   const about =
     exact === null && (places.isBetween(point) || distance > answer.field.exactBelow) ? t`≈ ${length}` : length;
   return t`${about} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;

@@ -149,6 +149,10 @@ export function workspacePanel(
   };
   const sources = { id: 'sources', title: t('Sources'), element: sourcesSection(session, tool, drawn), open: true };
   const panel = buildPanel(contents, [sources], open);
+  session.scene.subscribe(({ compared }, previous) => {
+    const section = panel.element.querySelector<HTMLDetailsElement>('#section-compare');
+    if (compared && !previous.compared && section) section.open = true;
+  });
   void drawn.then(() => panel.load());
   // Where something is pinned, the model is framed beside it from the beginning.
   const seen = remembered(PINNED) ? Promise.resolve() : drawn;

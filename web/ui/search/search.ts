@@ -4,11 +4,11 @@ import type { Opener } from '../../session/opener';
 import { PRESETS } from '../../state/presets';
 import { attribute, h, say } from '../dom';
 import type { Command } from '../commands';
-import { keyName } from '../keys';
+import { KEYS, keyName } from '../keys';
 import { explanationOf } from '../help/settings';
 import type { Panel } from '../panel/panel';
 import { type Entry, found } from './found';
-import { t } from '../../texts';
+import { t, type Words } from '../../texts';
 
 interface Item extends Entry {
   run: () => void;
@@ -16,6 +16,13 @@ interface Item extends Entry {
 
 /** What is seen of many answers at once. */
 const MOST_SHOWN = 60;
+/** What commands are called elsewhere, by their keys. */
+const OTHER_WORDS: Readonly<Record<string, Words>> = {
+  [KEYS.measure]: t('tape, ruler, length'),
+  [KEYS.help]: t('language, shortcuts, about, privacy'),
+  [KEYS.open]: t('import, load, drop'),
+  [KEYS.fit]: t('zoom, center, reset the view'),
+};
 /** What a panel's controls are called and are reached by. */
 const CONTROLS = '.field, button:not([role=tab]):not(.card), summary';
 
@@ -99,7 +106,7 @@ function commandItems(commands: readonly Command[]): Item[] {
   return commands.map(({ name, keys, run }) => ({
     name: String(name),
     place: keys[0] ? String(keyName(keys[0])) : '',
-    line: '',
+    line: String(OTHER_WORDS[keys[0] ?? ''] ?? ''),
     run: () => run({}),
   }));
 }
@@ -121,13 +128,15 @@ function settingItems(panel: Panel): Item[] {
     const name = nameOf(control);
     if (!section || name === '') return [];
     const input = control.matches('.field') ? control.querySelector<HTMLElement>('input, select, button') : control;
-    const line = explanationOf(section.id.replace('section-', ''), name)?.line ?? control.title;
     if (!input) return [];
+    const choices = [...input.querySelectorAll('option')].map((option) => option.text);
+    const saves = 'doneBySearch' in input.dataset ? t('download, export') : '';
+    const line = [explanationOf(section.id.replace('section-', ''), name)?.line, control.title, ...choices, saves];
     const run = () => {
       panel.reveal(input);
       if ('doneBySearch' in input.dataset) input.click();
     };
-    return [{ name, place: placeOf(section, name), line: String(line), run }];
+    return [{ name, place: placeOf(section, name), line: line.map((each) => String(each ?? '')).join(' '), run }];
   });
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk_surface::{Attribute, Soup, WarningCode, Warnings};
+use heatwalk_surface::{Attribute, Soup, Unit, UnitRule, WarningCode, Warnings};
 
 use super::budget::Budget;
 use super::color::light;
@@ -68,7 +68,7 @@ impl Body<'_> {
 }
 
 pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
-    let (elements, encoding, body) = header(bytes)?;
+    let Header { elements, encoding, unit, body } = header(bytes)?;
     let text;
     let mut body = match encoding {
         Encoding::Ascii => {
@@ -166,7 +166,7 @@ pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
         .check(positions.len())
         .map_err(|missing| PLY.no_vertex(place(missing.polygon), missing.vertex, positions.len(), 0))?;
     let triangles = polygons.triangulate_all(&positions, &mut warnings, place)?;
-    let soup = Soup { attributes, warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) };
+    let soup = Soup { attributes, unit, warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) };
     let colors = if colors.len() == soup.positions.len() { colors } else { Vec::new() };
     Ok(Model { appearance: Arc::new(Appearance { colors, ..Appearance::default() }), ..soup.into() })
 }
@@ -270,11 +270,19 @@ enum Encoding {
     Binary { is_little: bool },
 }
 
-/// The elements, the encoding and the bytes after the header.
-fn header(bytes: &[u8]) -> Result<(Vec<Element>, Encoding, &[u8])> {
+struct Header<'a> {
+    elements: Vec<Element>,
+    encoding: Encoding,
+    /// By a comment `lengths in mm`, as files of Heatwalk have it; the format itself says nothing of units.
+    unit: Option<Unit>,
+    /// The bytes after it.
+    body: &'a [u8],
+}
+
+fn header(bytes: &[u8]) -> Result<Header<'_>> {
     let unfinished = || PLY.at("header", "there is no end_header; the file is cut short, save it again");
     let mut elements: Vec<Element> = Vec::new();
-    let mut encoding = None;
+    let (mut encoding, mut unit) = (None, None);
     let mut rest = bytes;
     let mut number = 0;
     let mut is_lone = false;
@@ -294,6 +302,11 @@ fn header(bytes: &[u8]) -> Result<(Vec<Element>, Encoding, &[u8])> {
         let wrong = |problem: &str| PLY.line(number, format!("{problem}: {:?}", line.trim()));
         let words: Vec<&str> = line.split_whitespace().collect();
         match words[..] {
+            ["comment", "lengths", "in", symbol] => {
+                if let Ok(UnitRule::Is(stated)) = symbol.parse() {
+                    unit = stated;
+                }
+            }
             ["ply"] | [] | ["comment" | "obj_info", ..] => {}
             ["format", name, ..] => {
                 encoding = Some(match name {
@@ -330,5 +343,5 @@ fn header(bytes: &[u8]) -> Result<(Vec<Element>, Encoding, &[u8])> {
         }
     }
     let encoding = encoding.ok_or_else(|| PLY.at("header", "there is no format line; save the file again"))?;
-    Ok((elements, encoding, rest))
+    Ok(Header { elements, encoding, unit, body: rest })
 }
