@@ -240,6 +240,26 @@ fn several_sources_are_the_least_of_each() {
 }
 
 #[test]
+fn sources_on_one_edge_are_the_least_of_each() {
+    for soup in [shapes::icosphere(2), shapes::terrain(9)] {
+        let surface = Arc::new(surface(&soup));
+        let mut random = Random::new(31);
+        let halfedge = FaceId(60).halfedge(0);
+        let on_edge = |fraction: f64| (Place::Edge { halfedge, fraction }, 0.0);
+        let sources: Vec<_> = (0..80).map(|_| on_edge(random.share())).collect();
+        let together = finished(&surface, &sources, &[]);
+        let each: Vec<_> = sources.iter().map(|&source| finished(&surface, &[source], &[])).collect();
+        for vertex in surface.vertices() {
+            let value = together.values()[vertex];
+            let least = each.iter().map(|alone| alone.values()[vertex]).fold(f64::INFINITY, f64::min);
+            assert!((value - least).abs() <= EXACT * least, "{value} for {least}");
+            let path = together.path_from_vertex(vertex).expect("a path");
+            check_path(&surface, &path, Place::Vertex(vertex), value, &sources);
+        }
+    }
+}
+
+#[test]
 fn stopping_changes_nothing() {
     let surface = Arc::new(surface(&shapes::torus(2.0, 0.7, 32, 16)));
     let sources = [(Place::Vertex(VertexId(3)), 0.0)];
@@ -384,5 +404,44 @@ fn distances_on_a_book_of_many_pages_are_those_of_two_of_them_laid_flat() {
             let value = wavefront.values()[vertex];
             assert!((value - expected).abs() <= EXACT * expected, "{vertex}: {value}, not {expected}");
         }
+    }
+}
+
+#[test]
+fn each_page_of_a_book_is_the_nearest_beyond_a_part_of_the_spine() {
+    let pages = 64;
+    let mut soup = book(pages, 1);
+    // Every other page has its back in front.
+    soup.triangles.chunks_exact_mut(4).for_each(|pair| pair[..2].iter_mut().for_each(|corners| corners.swap(1, 2)));
+    let surface = Arc::new(surface(&soup));
+    let distance_to_spine = |vertex: VertexId| surface.position(vertex).truncate().length();
+    let is_at_spine =
+        |face: &FaceId| surface.faces()[*face].iter().filter(|&&vertex| distance_to_spine(vertex) < 0.5).count() == 2;
+    let at_spine: Vec<FaceId> = surface.faces().ids().filter(is_at_spine).collect();
+    assert_eq!(at_spine.len(), pages as usize);
+    // By page, so far from the spine and so high.
+    let place = |page: usize, from: f64, high: f64| {
+        let face = at_spine[page];
+        let corners = surface.faces()[face].map(|vertex| (distance_to_spine(vertex), surface.position(vertex).z));
+        let outer = corners.iter().find(|corner| corner.0 > 0.5).expect("an outer corner").1;
+        let at_height =
+            |height: f64| if height > 0.5 { high - from * outer } else { 1.0 - from - (high - from * outer) };
+        let weights = corners.map(|(out, height)| if out > 0.5 { from } else { at_height(height) });
+        Place::Face { face, weights }
+    };
+    let count = pages as usize;
+    let height = |page: usize| 0.1 + 0.8 * (page as f64 + 0.5) / f64::from(pages);
+    let start = |page: usize| 1e-3 * (7 * page % count) as f64 / f64::from(pages);
+    let sources: Vec<_> = (0..count).map(|page| (place(page, 0.05, height(page)), start(page))).collect();
+    let across = |page: usize| (page + count / 2) % count;
+    let targets: Vec<Place> = (0..count).map(|page| place(across(page), 0.02, height(page))).collect();
+    let wavefront = finished(&surface, &sources, &targets);
+    for (page, &value) in wavefront.target_values().iter().enumerate() {
+        let ways = (0..count).map(|other| {
+            let apart = if other == across(page) { 0.05 - 0.02 } else { 0.05 + 0.02 };
+            start(other) + (height(other) - height(page)).hypot(apart)
+        });
+        let expected = ways.fold(f64::INFINITY, f64::min);
+        assert!((value - expected).abs() <= EXACT, "{page}: {value}, not {expected}");
     }
 }

@@ -1,12 +1,21 @@
 //! Windows of one half-edge, each of which keeps what it reaches sooner than all others: their lower envelope.
 
 use super::list::List;
-use super::overlap::{Overlap, parts_before};
+use super::merge::{Merge, goes_on};
+use super::overlap::Overlap;
 use super::window::{Beam, SLIVER, THIN};
 use crate::extremum::{either, larger, smaller};
+use crate::room;
+
+#[cfg(test)]
+mod tests;
 
 /// Lists of fewer windows are never crowded.
 const CROWD: usize = 16;
+
+/// So many times at most, neighbors in a list are divided: hardly an ordinary list needs more. A window that lies on many others comes
+/// past one of them each time, so that the rest are merged.
+const ROUNDS: usize = 24;
 
 /// Divides half-edges among windows. What it holds is kept for its memory.
 #[derive(Debug, Default)]
@@ -15,53 +24,65 @@ pub(super) struct Envelope {
     joined: Vec<Beam>,
     /// Places in a list where two windows overlap.
     pairs: Vec<u32>,
+    /// Parts of windows that come into a list, each with the place that it comes after.
+    parts: Vec<(u32, Beam)>,
+    merge: Merge,
     /// Whether there was no memory for a window.
     pub is_refused: bool,
+    /// Windows that have been looked at, as often as they were.
+    #[cfg(test)]
+    pub looked_at: usize,
 }
 
 impl Envelope {
     /// Divides a half-edge among the windows of a list, nearly in order along it.
     ///
     /// Which of them overlap the next one is as good as random, so that these are collected without a branch before anything is
-    /// done about them. Windows only become shorter, and two are divided once, so that there is an end of it.
+    /// done about them.
     pub fn resolve(&mut self, list: &mut Vec<Beam>) {
-        let is_crowded = is_crowded(list);
-        if is_crowded {
-            thin_out(list);
+        if is_crowded(list) {
+            return self.merge(list, THIN);
         }
-        let sliver = if is_crowded { THIN } else { SLIVER };
-        let mut is_settled = false;
-        while !is_settled {
-            if !self.find_pairs(list, sliver) {
+        for _ in 0..ROUNDS {
+            if !self.find_pairs(list, SLIVER) {
                 return self.is_refused = true;
             }
-            is_settled = true;
-            let mut is_any_lost = false;
+            let (mut is_settled, mut is_any_lost) = (true, false);
             for &pair in &self.pairs {
                 let place = pair as usize;
                 let [first, second, ..] = &mut list[place..] else { break };
                 if second.begin < first.begin {
                     std::mem::swap(first, second);
                     is_settled = false;
-                } else if !(first.is_wide() && first.overlaps(second, sliver)) {
+                } else if !(first.is_wide() && first.overlaps(second, SLIVER)) {
                     // Lost or swapped just now: for the next round.
                 } else if let Some((end, begin)) = settle(first, second) {
                     (first.end, second.begin) = (end, begin);
                     is_any_lost |= !(first.is_wide() & second.is_wide());
                 } else {
-                    if !divide(list, place) {
-                        return self.is_refused = true;
-                    }
-                    // Places have moved.
+                    self.is_refused |= !divide([first, second], pair + 1, &mut self.parts);
                     is_any_lost = true;
-                    break;
                 }
             }
             if is_any_lost {
-                // What is around the lost are neighbours now.
+                self.is_refused |= !insert(list, &mut self.parts);
+                // What is around the lost are neighbors now.
                 list.retain(Beam::is_wide);
-                is_settled = false;
             }
+            if is_settled && !is_any_lost {
+                return;
+            }
+        }
+        self.merge(list, SLIVER);
+    }
+
+    /// Divides a half-edge among the windows of a list, in any order along it, all at once.
+    #[cold]
+    fn merge(&mut self, list: &mut Vec<Beam>, sliver: f64) {
+        self.is_refused |= !self.merge.merge(list, sliver);
+        #[cfg(test)]
+        {
+            self.looked_at += std::mem::take(&mut self.merge.looked_at);
         }
     }
 
@@ -112,6 +133,10 @@ impl Envelope {
             return false;
         }
         self.pairs.resize(list.len(), 0);
+        #[cfg(test)]
+        {
+            self.looked_at += list.len();
+        }
         let mut found = 0;
         for (place, pair) in list.windows(2).enumerate() {
             self.pairs[found] = place as u32;
@@ -124,6 +149,10 @@ impl Envelope {
     /// Divides a half-edge among the windows of a list and others, both nearly in order along it.
     pub fn join(&mut self, list: &mut Vec<Beam>, others: &[Beam]) {
         let (mut rest, mut others) = (list.as_slice(), others);
+        #[cfg(test)]
+        {
+            self.looked_at += rest.len() + others.len();
+        }
         if self.joined.try_reserve(rest.len() + others.len()).is_err() {
             return self.is_refused = true;
         }
@@ -185,31 +214,10 @@ fn is_crowded(list: &[Beam]) -> bool {
     list.len() > CROWD && 2 * list.windows(2).filter(covers).count() > list.len()
 }
 
-/// Leaves of the windows of a list what no nearer one reaches sooner.
-#[cold]
-fn thin_out(list: &mut Vec<Beam>) {
-    list.sort_unstable_by(|a, b| a.nearest().total_cmp(&b.nearest()));
-    let mut left: Vec<Beam> = Vec::new();
-    for window in list.iter() {
-        left.extend(parts_before(window, &left, 0.0));
-    }
-    left.sort_unstable_by(|a, b| a.begin.total_cmp(&b.begin));
-    *list = left;
-}
-
 fn push(list: &mut Vec<Beam>, window: &Beam) {
     if !goes_on(list, window) {
         list.push(*window);
     }
-}
-
-/// Whether a window goes on where the last one of a list ends, which it then becomes a part of.
-fn goes_on(list: &mut [Beam], window: &Beam) -> bool {
-    let last = list.last_mut().filter(|last| last.continues_into(window));
-    last.is_some_and(|last| {
-        last.end = window.end;
-        true
-    })
 }
 
 /// Where the first of two windows that overlap is to end, and where the second one is to begin, if that is all.
@@ -226,24 +234,34 @@ fn settle(first: &Beam, second: &Beam) -> Option<(f64, f64)> {
     Some((end, begin))
 }
 
-/// Divides a window of a list and the next one into as many parts as it takes. Returns whether there was room. A place
-/// that no part needs is left with an empty window.
+/// Divides a window and the next one into as many parts as it takes. The third and further ones come after a place. Returns whether
+/// there was room. A place that no part needs is left with an empty window.
 #[cold]
-fn divide(list: &mut Vec<Beam>, place: usize) -> bool {
-    let (first, second) = (list[place], list[place + 1]);
+fn divide(pair: [&mut Beam; 2], after: u32, parts: &mut Vec<(u32, Beam)>) -> bool {
+    let [first, second] = [*pair[0], *pair[1]];
     let shares = Overlap::new(&second, &first).shares();
-    if list.try_reserve(shares.as_slice().len()).is_err() {
+    let part = |&(is_second, begin, end): &(bool, f64, f64)| if is_second { second } else { first }.part(begin, end);
+    let mut all = shares.as_slice().iter().map(part);
+    for window in pair {
+        *window = all.next().unwrap_or(window.part(window.begin, window.begin));
+    }
+    all.all(|part| room::push(parts, (after, part)))
+}
+
+/// Lets parts come into a list, each after its place, in order. Returns whether there was room.
+fn insert(list: &mut Vec<Beam>, parts: &mut Vec<(u32, Beam)>) -> bool {
+    if list.try_reserve(parts.len()).is_err() {
+        parts.clear();
         return false;
     }
-    list[place].end = first.begin;
-    list[place + 1].end = second.begin;
-    for (number, &(is_second, begin, end)) in shares.as_slice().iter().enumerate() {
-        let part = if is_second { second } else { first }.part(begin, end);
-        if number < 2 {
-            list[place + number] = part;
-        } else {
-            list.insert(place + number, part);
-        }
+    let (mut from, mut to) = (list.len(), list.len() + parts.len());
+    list.extend(parts.iter().map(|&(_, part)| part));
+    while let Some((after, part)) = parts.pop() {
+        let next = after as usize + 1;
+        to -= from - next + 1;
+        list.copy_within(next..from, to + 1);
+        list[to] = part;
+        from = next;
     }
     true
 }

@@ -85,11 +85,7 @@ impl Fans {
         }
         let edge = self.names.first(geometry.surface().edges(), HalfedgeId(*halfedge));
         let crossed = &mut self.edges.entry(edge).or_default().crossed;
-        let nearer = |window: &Beam| {
-            let first = crossed.partition_point(|other| other.end <= window.begin);
-            let end = crossed.partition_point(|other| other.begin < window.end);
-            parts_before(window, &crossed[first.min(end)..end], geometry.grain)
-        };
+        let nearer = |window: &Beam| parts_before(window, crossed, geometry.grain);
         *windows = windows.iter().flat_map(nearer).collect();
         envelope.join(crossed, windows);
         if is_mirrored {

@@ -20,6 +20,7 @@ mod fans;
 mod geometry;
 mod list;
 mod lists;
+mod merge;
 mod origin;
 mod overlap;
 mod places;

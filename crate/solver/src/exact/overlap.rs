@@ -151,10 +151,12 @@ impl<'a> Overlap<'a> {
     }
 }
 
-/// The parts of a window that are nearer than all others of its half-edge, by more than this distance.
+/// The parts of a window that are nearer than all others of its half-edge, by more than this distance. The others lie in order, and
+/// overlap by no more than slivers.
 pub(super) fn parts_before(window: &Beam, others: &[Beam], by: f64) -> Vec<Beam> {
-    let mut parts = vec![*window];
-    for other in others {
+    let (mut done, mut parts) = (Vec::new(), vec![*window]);
+    let first = others.partition_point(|other| other.end <= window.begin);
+    for other in others[first..].iter().take_while(|other| other.begin < window.end) {
         let cut = |part: Beam| {
             if part.begin >= other.end || other.begin >= part.end {
                 return vec![part];
@@ -164,7 +166,10 @@ pub(super) fn parts_before(window: &Beam, others: &[Beam], by: f64) -> Vec<Beam>
             let own = shares.as_slice().iter().filter(|share| share.0);
             own.map(|&(_, begin, end)| part.part(begin, end)).filter(Beam::is_wide).collect()
         };
+        let open = parts.iter().position(|part| other.begin < part.end).unwrap_or(parts.len());
+        done.extend(parts.drain(..open));
         parts = parts.into_iter().flat_map(cut).collect();
     }
-    parts
+    done.extend(parts);
+    done
 }

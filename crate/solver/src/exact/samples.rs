@@ -41,6 +41,12 @@ pub fn fan(numbers: &mut Numbers, count: usize) -> Vec<Beam> {
         .collect()
 }
 
+/// The least distance by windows that cover a place.
+pub fn least(windows: &[Beam], place: f64) -> f64 {
+    let covers = |window: &&Beam| window.begin <= place && place <= window.end;
+    windows.iter().filter(covers).map(|window| window.at(place)).fold(f64::INFINITY, f64::min)
+}
+
 /// With every kind of bend: a terrain has saddles and reflex vertices, holes, one for so many triangles, and a fin more of them.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn torn_terrain(size: u32, triangles_per_hole: usize) -> Soup {

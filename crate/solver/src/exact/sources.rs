@@ -8,9 +8,12 @@ use super::geometry::{Bend, ExactGeometry, Frame, Side, Turn, after, before};
 use super::origin::Origin;
 use super::portals::Portals;
 use super::wavefront::{Root, Wavefront};
-use super::window::{Beam, Window, length};
+use super::window::{Beam, length};
 use crate::extremum::{larger, smaller};
 use crate::room;
+
+#[cfg(test)]
+mod tests;
 
 /// The shadow behind a bend is taken wider by this angle, radians: far above rounding, far below what costs time.
 const SHADOW_MARGIN: f64 = 1e-9;
@@ -79,10 +82,12 @@ impl Wavefront {
                 self.light_from_inside(face, weights, value, root);
             }
         }
+        self.leave_lit();
         self.deliver_gathered(&geometry);
     }
 
-    /// Sends windows from a point of a face by all edges that it does not lie on, and straight lines to the corners.
+    /// Lights a face from a point of it: windows [leave](Self::leave_lit) by all edges that it does not lie on, and straight lines go to the
+    /// corners.
     fn light_from_inside(&mut self, face: u32, weights: [f64; 3], value: f64, root: u32) {
         let geometry = Arc::clone(&self.geometry);
         let frame = &geometry.frames[face as usize];
@@ -92,7 +97,7 @@ impl Wavefront {
             if depth > 0.0 {
                 let (x, offset) = (frame[k].length - x, value);
                 let all = Beam { begin: 0.0, end: frame[k].length, x, depth, offset, root };
-                self.leave(face * 3 + k as u32, all);
+                self.is_refused |= !room::push(&mut self.lit, (face * 3 + k as u32, all));
             }
         }
         self.see_straight(frame, face, weights, (value, root));
@@ -119,23 +124,33 @@ impl Wavefront {
         for (face, weights) in geometry.faces_at(&self.surface, portals.places()[other as usize]) {
             self.light_from_inside(face, weights, value, root);
         }
+        self.leave_lit();
     }
 
-    /// Sends a window out of a face, cut by the values at the edge's ends.
-    fn leave(&mut self, halfedge: u32, window: Beam) {
+    /// Sends what [sources](Self::light_from_inside) have lit out of their faces, all windows of a half-edge together: of many sources in
+    /// one place, one after another would be divided among all before.
+    fn leave_lit(&mut self) {
+        let mut lit = std::mem::take(&mut self.lit);
+        lit.sort_by_key(|&(halfedge, _)| halfedge);
+        for of_halfedge in lit.chunk_by(|a, b| a.0 == b.0) {
+            self.leave(of_halfedge[0].0, of_halfedge.iter().map(|&(_, window)| window));
+        }
+        lit.clear();
+        self.lit = lit;
+    }
+
+    /// Sends windows out of a face, cut by the values at the edge's ends.
+    fn leave(&mut self, halfedge: u32, windows: impl IntoIterator<Item = Beam>) {
         let geometry = Arc::clone(&self.geometry);
         let (frame, k) = geometry.frame_of(halfedge);
         let ends = [frame[after(k)].vertex, frame[k].vertex].map(|vertex| self.limit(vertex));
-        let mut window = Window::from(window);
-        if !(window.is_wide() && window.clip(frame[k].length, ends)) {
-            return;
-        }
         let mut leaving = Vec::new();
-        if room::push(&mut leaving, window.beam()) {
-            self.deliver(&geometry, halfedge, &mut leaving);
-        } else {
-            self.is_refused = true;
+        for mut window in windows {
+            if window.is_wide() && window.clip(frame[k].length, ends) {
+                self.is_refused |= !room::push(&mut leaving, window);
+            }
         }
+        self.deliver(&geometry, halfedge, &mut leaving);
     }
 
     /// Sends windows from a vertex that paths can bend at, into the shadow behind it.
@@ -276,6 +291,6 @@ impl Wavefront {
         let has_borders = depth > NARROW * geometry.grain;
         let begin = to.filter(|_| has_borders).map_or(0.0, |to| larger(meets(to), 0.0));
         let end = from.filter(|_| has_borders).map_or(along, |from| smaller(meets(from), along));
-        self.leave(face * 3 + out as u32, Beam { begin, end, x, depth, offset: value, root });
+        self.leave(face * 3 + out as u32, [Beam { begin, end, x, depth, offset: value, root }]);
     }
 }

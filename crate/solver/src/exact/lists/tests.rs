@@ -3,7 +3,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use super::super::samples::Numbers;
+use super::super::samples::{Numbers, least};
 use super::super::window::nearest;
 use super::*;
 
@@ -14,11 +14,6 @@ const BOUND: f64 = 1e-10;
 
 /// Rounding of distances of about 2.
 const EPSILON: f64 = 4.0 * f64::EPSILON;
-
-fn least(windows: &[Beam], place: f64) -> f64 {
-    let covers = |window: &&Beam| window.begin <= place && place <= window.end;
-    windows.iter().filter(covers).map(|window| window.at(place)).fold(f64::INFINITY, f64::min)
-}
 
 /// Windows of one source each, as they leave a face: nearly in order, with gaps and overlaps.
 fn leaving(numbers: &mut Numbers, first_root: u32) -> Vec<Beam> {
