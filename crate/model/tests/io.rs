@@ -183,9 +183,8 @@ fn ply_in_three_encodings() {
 
 #[test]
 fn a_comment_of_a_ply_says_the_unit() {
-    let said = |comment: &str| {
-        read("square.ply", SQUARE_PLY.replacen('\n', &format!("\n{comment}\n"), 1)).unwrap().unit
-    };
+    let said =
+        |comment: &str| read("square.ply", SQUARE_PLY.replacen('\n', &format!("\n{comment}\n"), 1)).unwrap().unit;
     assert_eq!(said("comment lengths in in"), Some(Unit::Inch));
     assert_eq!(said("comment lengths in parsecs"), None);
     assert_eq!(said("comment made by hand"), None);
