@@ -1,8 +1,8 @@
-import { readdir, readFile } from 'node:fs/promises';
-import { join } from 'node:path';
 import { expect, test } from '@playwright/test';
 import { FRENCH, REPORTS } from '../../web/texts/fr';
+import { retelling } from '../../web/texts/retelling';
 import { counted, enumerated, Phrase, retold, speak } from '../../web/texts/translate';
+import { literals, literalsOf } from '../sentences';
 import { NAMES, saidBy, sources } from '../texts';
 
 /** Keys, classes, names of formats and programs, lines of programs, and errors that are caught. */
@@ -10,7 +10,7 @@ const NO_TEXT =
   /^(Enter|Delete|Backspace|Escape|Files|Heatwalk|Python|Rust|Fetching|(pin|initial|quiet|stack) \w+|\.initial input|<iframe .*|--.*|import \w+|# .*|(message|tape-label) \{0\}|\{0\} (ms|px|tapes\.csv)|M\{0\}.*|too (large|long)|cut off|no (run|vertex))$/;
 /** Both languages write them alike. */
 const ALIKE =
-  /^[^a-z]*$|OBJ|DXF|CSV|[×°]|^(Animation|Sources?|Style|Auto|Propagation|Cholesky|Convergence|Distances?|triangles?|contacts?|points?|exact|Distance|Contacts|Surface|Position|Triangles|Relief|Pause|Maximum|Action|Zoom|Robot|Dragon|Village|Triangle \{0\}|\{0\}, .*|\{0\} triangles|area .*|Stanford .*|distance|propagation|magma|turbo|viridis|jade|studio|contour|Ctrl\+[KV]|Exact\.|.* exact|\{0\} (s|ms|px|contacts?|triangles?|\(P\))|\{0\} \/ s|m = \{0\}|Sources: \{0\})$/;
+  /^[^a-z]*$|OBJ|DXF|CSV|[×°]|^(Animation|Sources?|Style|Auto|Propagation|Cholesky|Convergence|Distances?|triangles?|contacts?|points?|exact|Distance|Contacts|Surface|Position|Triangles|Relief|Pause|Maximum|Action|Zoom|Robot|Dragon|Village|Triangle \{0\}|\{0\}, .*|\{0\} triangles|area .*|Stanford .*|distance|propagation|magma|turbo|viridis|jade|studio|contour|Ctrl\+[KV]|(face|buffer|image|skin) \{0\}|Exact\.|.* exact|\{0\} (s|ms|px|contacts?|triangles?|\(P\))|\{0\} \/ s|m = \{0\}|Sources: \{0\})$/;
 
 const values = (text: string) => [...text.matchAll(/\{\d\}/g)].map(([value]) => value).toSorted();
 
@@ -50,24 +50,178 @@ test('what is planted is found', () => {
   });
 });
 
-/** Sentences of the crates whose errors reach the page, with `{0}` for the first value. */
-async function ofCrates(): Promise<string[]> {
-  const root = new URL('../../crate/', import.meta.url).pathname;
-  const paths = (await readdir(root, { recursive: true })).filter((path) =>
-    /^(model|surface|solver|volume|curves|viewer|basis)\/src\/(\w+\/)*error\.rs$/.test(path),
-  );
-  const files = await Promise.all(paths.map((path) => readFile(join(root, path), 'utf8')));
-  const attributes = files.flatMap((source) => Array.from(source.matchAll(/#\[error\(\s*"((?:[^"\\]|\\.)*)"/gs)));
-  return attributes.map(([, text = '']) => {
-    let value = 0;
-    return text.replaceAll(/\\\s*\n\s*/g, '').replaceAll(/\{[^}]*\}/g, () => `{${value++}}`);
-  });
+/** Literals of the crates that no user reads: what files have, and names that elements without one get. */
+const NO_SENTENCE = new Set([
+  'Git LFS',
+  '.mtl ',
+  ' at line',
+  'recursion limit exceeded',
+  'animation {0}',
+  'camera {0}',
+  'element edge',
+]);
+
+/** Literals that are told only inside these. Alone they would fit many other sentences, or say too little to be put into French. */
+const TOLD_IN: Readonly<Record<string, readonly string[]>> = {
+  '{0} does not exist': ['the motion cannot be used: {0} does not exist'],
+  '{0} is found': ['"{0}" is found'],
+  '{0} is missing': ['{0} is missing; the file is cut short, save it again'],
+  '{0} is no {1} statement': ['"{0}" is no {1} statement'],
+  'byte 0': ['byte {0}'],
+  'buffer view': ['buffer view {0}'],
+  'piece {0}, ': ['piece {0}, face {1}'],
+  '{0}face {1}': ['face {0}', 'piece {0}, face {1}'],
+  '{0} at vertex {1}{2}': ['{0} at vertex {1}', '{0} at vertex {1}, and out of range at {2} more'],
+  ', and out of range at {0} more': ['{0} at vertex {1}, and out of range at {2} more'],
+  ', or auto': ['a positive number, or auto', 'a number of mean edge lengths, 0 or more, or auto'],
+  'auto, ': ['auto, {0}, or 0 or more'],
+  ', or 0 or more': ['auto, {0}, or 0 or more'],
+  'boundary condition': ["there is no boundary condition '{0}'; choose one of {1}"],
+  'linear solver': ["there is no linear solver '{0}'; choose one of {1}"],
+  'multi-source mode': ["there is no multi-source mode '{0}'; choose one of {1}"],
+  'kind of edges': ["there is no kind of edges '{0}'; choose one of {1}"],
+  'up axis': ["there is no up axis '{0}'; choose one of {1}"],
+  "there is no {0} '{1}'; choose one of {2}": ["there is no method '{0}'; choose one of {1}"],
+  '{0}of {1} curved cells the corners were taken': [
+    'of {0} curved cells the corners were taken',
+    '{0} were split into tetrahedra; of {1} curved cells the corners were taken',
+  ],
+  '{0} is {1}': ['{0} is {1}; the file is damaged or cut short, save it again'],
+  '{0} is expected, but {1}': ['{0} is expected, but {1}; the file is damaged or cut short, save it again'],
+  '{0} is expected, but the file ends': ['{0} is expected, but {1}; the file is damaged or cut short, save it again'],
+  '{0} is expected, but {1} is found': [
+    '{0} is expected, but {1} is found; the file is damaged or cut short, save it again',
+  ],
+};
+
+/** Whether a literal is in French: alone, with the count before it, or as what is put behind a sentence. */
+function isInFrench(text: string): boolean {
+  const told = TOLD_IN[text];
+  if (told) return told.every((whole) => whole in REPORTS);
+  return NO_SENTENCE.has(text) || [text, `1 ${text}`, `{0} ${text}`, `{0}${text}`].some((whole) => whole in REPORTS);
 }
 
-test('every error of the solver and of the renderer has a sentence in French', async () => {
-  const sentences = await ofCrates();
-  expect(sentences.length).toBeGreaterThan(60);
-  expect(sentences.filter((sentence) => !(sentence in REPORTS))).toEqual([]);
+test('every sentence of readers, solvers and renderer, and every part of one, is in French', async () => {
+  const found = await literals();
+  expect(found.length).toBeGreaterThan(500);
+  expect(found.filter(([, text]) => !isInFrench(text))).toEqual([]);
+});
+
+test('exceptions among the sentences are still said', async () => {
+  const said = new Set((await literals()).map(([, text]) => text));
+  expect([...NO_SENTENCE, ...Object.keys(TOLD_IN)].filter((text) => !said.has(text))).toEqual([]);
+});
+
+test('sentences that are planted in a Rust source are found', () => {
+  const source = `
+    //! "No sentence of a comment".
+    #[cfg_attr(feature = "a b", serde(with = "c d"))]
+    #[error("cancelled")]
+    fn a(b: &str) -> String {
+        assert_eq!(b.len(), 2, "one value a vertex");
+        let c = d.expect("it was checked");
+        let e = ['"', '\\''];
+        format!("{b:?} is no \\"face\\"; \\
+            repair {}", f("solid", b"no text", r"nor this"))
+    }
+    #[cfg(test)]
+    mod tests { const A: &str = "not of tests"; }`;
+  expect(literalsOf(source)).toEqual(['cancelled', '{0} is no "face"; repair {1}']);
+});
+
+const inFrench = retelling(REPORTS);
+
+test('refusals of files are French as a whole, whatever is put into them', () => {
+  const refusals = [
+    [
+      'OBJ, line 1: a vertex needs three numbers, but it is missing',
+      'OBJ, ligne 1 : un sommet demande trois nombres, mais rien ne suit',
+    ],
+    [
+      'OBJ, line 3: a vertex needs three numbers, but "1,5" has a decimal comma; save the file with decimal points',
+      'OBJ, ligne 3 : un sommet demande trois nombres, mais "1,5" a une virgule décimale ; enregistrez le fichier avec des points décimaux',
+    ],
+    [
+      'STL, byte 84: 3 of 12 triangles are missing; save it again',
+      'STL, octet 84 : 3 des 12 triangles manquent ; enregistrez le fichier de nouveau',
+    ],
+    [
+      'PLY, line 3: unknown property type: "property foo x"',
+      'PLY, ligne 3 : type de propriété inconnu : « property foo x »',
+    ],
+    [
+      'PLY, vertex 2: x should be a number, but "filling" is found; the file is damaged or cut short, save it again',
+      'PLY, sommet 2 : x devrait être un nombre, mais on trouve « filling » ; le fichier est endommagé ou tronqué, enregistrez-le de nouveau',
+    ],
+    ['GLB, accessor 3: it does not exist', 'GLB, accesseur 3 : il n’existe pas'],
+    [
+      'glTF, JSON line 4 column 7: expected `,` or `}` at line 4 column 7; export it again',
+      'glTF, JSON, ligne 4, colonne 7 : « , » ou « } » est attendu, ligne 4, colonne 7 ; exportez-le de nouveau',
+    ],
+    [
+      '3MF: encryption (3D/model.model) is not supported; save it without protection',
+      '3MF : le chiffrement (3D/model.model) n’est pas pris en charge ; enregistrez-le sans protection',
+    ],
+    [
+      'the file takes more than 126 MB of memory, the most that a file of 14 KB may take; it is damaged or made to fill memory, save it again',
+      'le fichier prend plus de 126 Mo de mémoire, le maximum pour un fichier de 14 ko ; il est endommagé ou fait pour remplir la mémoire, enregistrez-le de nouveau',
+    ],
+    [
+      'a mesh of 5000000 triangles takes 2.50 GiB of memory, more than the 512.0 MiB there are; use a mesh with fewer triangles, or the native program on a larger machine',
+      'un maillage de 5000000 triangles prend 2,50 Gio de mémoire, plus que les 512,0 Mio disponibles ; utilisez un maillage de moins de triangles, ou le programme natif sur une machine plus grande',
+    ],
+    [
+      'no triangles: a.obj holds no faces: 1 statement of a curve or a surface of free form was left out; save the model as polygons; 2 points or lines were left out',
+      'aucun triangle : a.obj ne contient pas de faces : 1 instruction de courbe ou de surface de forme libre ignorée ; enregistrez le modèle en polygones ; 2 points ou lignes ignorés',
+    ],
+    [
+      'no triangles: scan.xyz is a cloud of 120 points without faces; make a surface of it first',
+      'aucun triangle : scan.xyz est un nuage de 120 points sans faces ; faites-en d’abord une surface',
+    ],
+    [
+      'Gmsh, line 9: the number of nodes is expected, but the file ends; the file is damaged or cut short, save it again',
+      'Gmsh, ligne 9 : on attend le nombre de nœuds, mais le fichier se termine ; le fichier est endommagé ou tronqué, enregistrez-le de nouveau',
+    ],
+    [
+      '3 hexahedra, 2 prisms, 1 pyramids were split into tetrahedra',
+      '3 hexaèdres, 2 prismes, 1 pyramides découpés en tétraèdres',
+    ],
+    [
+      "there is no linear solver 'lu'; choose one of cholesky, cg",
+      'le solveur linéaire « lu » n’existe pas ; choisissez parmi cholesky, cg',
+    ],
+    [
+      'a cost is 0.0001 at vertex 3, and out of range at 7 more; it must be from 0.001 to 1000',
+      'un coût vaut 0.0001 au sommet 3, et hors limites à 7 autres ; il faut de 0,001 à 1000',
+    ],
+  ];
+  const plain = refusals.map(([english = '']) => inFrench(english).replaceAll('\u202f', ' '));
+  expect(plain).toEqual(refusals.map(([, french]) => french));
+});
+
+test('what no sentence fits stays as it is', () => {
+  const others = [
+    'Failed to fetch',
+    'the string is not valid',
+    'NetworkError, code 3: it is over',
+    'a.b, c: d',
+    'no file is found',
+    'length',
+    '{0}',
+  ];
+  expect(others.map(inFrench)).toEqual(others);
+});
+
+test('what a driver says stays as it is', () => {
+  expect(inFrench('The canvas cannot be used for drawing. Reload the page. (line 7: it is missing)')).toBe(
+    'Le canevas ne peut pas servir à dessiner. Rechargez la page. (line 7: it is missing)',
+  );
+});
+
+test('a long text with many signs at which it could be parted takes no time, and spoils nothing', () => {
+  const long = `GLB, accessor 4: ${'cell, face: vertex; of is '.repeat(400)}`;
+  expect(inFrench(long).slice(0, 20)).toBe('GLB, accesseur 4\u202f: c');
+  expect(inFrench('GLB, accessor 4: it does not exist')).toBe('GLB, accesseur 4\u202f: il n’existe pas');
 });
 
 test('a phrase is in the language that the page has when it is read, with its numbers, lists and reports', () => {
@@ -76,20 +230,20 @@ test('a phrase is in the language that the page has when it is read, with its nu
     enumerated(['a', 'b', 'c']),
     retold('vertex 7 does not exist; there are 5, counted from 0'),
     retold('no triangles: out of memory while filling'),
-    retold('PLY, line 5: a face ends too soon'),
+    retold('PLY, line 5: words of a later version'),
     retold('Failed to fetch'),
   ];
   const english = phrases.map(String);
   expect(phrases[0]).toBeInstanceOf(Phrase);
   expect(english.slice(0, 2)).toEqual(['1,234 triangles', 'a, b, and c']);
   try {
-    speak('fr', FRENCH, REPORTS);
+    speak('fr', FRENCH, inFrench);
     expect(phrases.map(String)).toEqual([
       '1\u202f234 triangles',
       'a, b et c',
       'le sommet 7 n’existe pas\u202f; il y en a 5, comptés à partir de 0',
       'aucun triangle\u202f: mémoire épuisée (remplissage)',
-      'PLY, ligne 5\u202f: a face ends too soon',
+      'PLY, ligne 5\u202f: words of a later version',
       'Failed to fetch',
     ]);
   } finally {

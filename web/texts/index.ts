@@ -34,8 +34,8 @@ if (typeof document !== 'undefined') await use(preferred());
 
 async function use(chosen: Language): Promise<void> {
   if (chosen === 'fr') {
-    const { FRENCH, REPORTS } = await import('./fr');
-    speak(chosen, FRENCH, REPORTS);
+    const [{ FRENCH, REPORTS }, { retelling }] = await Promise.all([import('./fr'), import('./retelling')]);
+    speak(chosen, FRENCH, retelling(REPORTS));
   } else speak(chosen);
   language = chosen;
   document.documentElement.lang = chosen;

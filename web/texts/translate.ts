@@ -21,11 +21,16 @@ export type Words = string | Phrase;
 /** A number that is no length of a model: those are told in a unit, by `web/length.ts`. */
 export type Plain = number & { readonly ofModel?: never };
 
-/** Texts of the page, and sentences of workers. Without any, all is English. */
-let spoken: { language: string; texts: Texts; reports: Texts } = { language: 'en', texts: {}, reports: {} };
+/** What sentences of workers are in a language. */
+export type Retell = (sentence: string) => string;
 
-export function speak(language: string, texts: Texts = {}, reports: Texts = {}): void {
-  spoken = { language, texts, reports };
+const ENGLISH: Retell = (sentence) => sentence;
+
+/** Texts of the page, and sentences of workers. Without any, all is English. */
+let spoken: { language: string; texts: Texts; retell: Retell } = { language: 'en', texts: {}, retell: ENGLISH };
+
+export function speak(language: string, texts: Texts = {}, retell = ENGLISH): void {
+  spoken = { language, texts, retell };
 }
 
 /** A text in the language of the page: a string, or a template, whose values stay as they are. */
@@ -34,7 +39,8 @@ export function t(text: string | TemplateStringsArray, ...values: readonly (Word
   return new Phrase(() => filled(spoken.texts[key] ?? key, values));
 }
 
-function filled(text: string, values: readonly unknown[]): string {
+/** A text with its values. */
+export function filled(text: string, values: readonly unknown[]): string {
   return values.length === 0 ? text : text.replaceAll(/\{(\d)\}/g, (_, index) => String(values[Number(index)]));
 }
 
@@ -99,15 +105,5 @@ export function sentences(...all: readonly (Words | null)[]): Phrase {
 
 /** A sentence of a worker, which is in English, and what is put into it, in the language of the page. */
 export function retold(sentence: string): Phrase {
-  return new Phrase(() => reported(sentence));
-}
-
-function reported(sentence: string): string {
-  for (const [english, other] of Object.entries(spoken.reports)) {
-    const literal = english.replaceAll(/[.*+?^$()|[\]\\]/g, String.raw`\$&`);
-    const pattern = new RegExp(`^${literal.replaceAll(/\{\d\}/g, '(.+)')}$`, 's');
-    const values = pattern.exec(sentence)?.slice(1);
-    if (values) return filled(other, values.map(reported));
-  }
-  return sentence;
+  return new Phrase(() => spoken.retell(sentence));
 }

@@ -20,6 +20,10 @@ export const ARCHIVES: Texts = {
   'the archive is damaged or cut short; copy it again': 'l’archive est endommagée ou tronquée ; copiez-la de nouveau',
   'the archive holds {0} files, more than {1}; unpack it and open the files':
     'l’archive contient {0} fichiers, plus de {1} ; décompressez-la et ouvrez les fichiers',
+};
+
+/** Texts of the page: tools, workspaces, search and opening. */
+export const SHELL: Texts = {
   'Draw a line of sources along edges': 'Dessiner une ligne de sources le long d’arêtes',
   'Draw a stroke of sources': 'Dessiner un trait de sources',
   'Make a whole boundary a source': 'Faire d’un bord entier une source',

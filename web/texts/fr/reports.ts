@@ -1,4 +1,4 @@
-/** What workers and the renderer say, in French; of damaged files the reader's own words stay. The first that fits counts. */
+/** Sentences of the errors of modules and of the renderer, in French; their parts are in the files beside. */
 import type { Texts } from '../translate';
 
 export const REPORTS: Texts = {
