@@ -1,9 +1,10 @@
 //! How time and memory grow with a surface of hostile form: on vertices of n triangles, edges of n triangles,
-//! slivers, parts and boundaries that touch; and with polygons of n corners and tetrahedra around an edge or a vertex.
+//! slivers, parts and boundaries that touch; and with polygons of n corners, n sources in one place of a curved surface, and tetrahedra
+//! around an edge or a vertex.
 //!
 //! `cargo run --release -p heatwalk-cli --example growth [-- N] [WORD ...]`
 //!
-//! Measures every operation on every family at N, 4 N and 16 N triangles, corners or tetrahedra, N being 2,000 if not given; of several words, those rows
+//! Measures every operation on every family at N, 4 N and 16 N triangles, corners, sources or tetrahedra, N being 2,000 if not given; of several words, those rows
 //! whose name has each of them. A row is one operation on one family: seconds and megabytes at the largest size, and the exponents
 //! with which both grew over the last factor of 4, of three runs the least seconds. Seconds below a hundredth and megabytes below one
 //! have none: that is the noise of what does not grow.
@@ -11,6 +12,7 @@
 mod inside;
 mod operations;
 mod outlines;
+mod places;
 mod surfaces;
 
 use std::hint::black_box;
@@ -59,6 +61,9 @@ fn main() -> Result<()> {
     }
     for (family, make) in outlines::OUTLINES {
         row(format!("read, {family}"), &|size| Ok((size, outlines::read(&make(size))?)))?;
+    }
+    for family in places::FAMILIES {
+        row(format!("exact, {}", family.0), &|size| Ok((size, places::exact(size, family)?)))?;
     }
     for (family, make) in inside::FAMILIES {
         for (operation, prepare) in inside::OPERATIONS {
