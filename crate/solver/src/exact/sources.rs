@@ -131,12 +131,11 @@ impl Wavefront {
     /// one place, one after another would be divided among all before.
     fn leave_lit(&mut self) {
         let mut lit = std::mem::take(&mut self.lit);
+        // Its memory goes too: after many sources have begun there are few at a time.
         lit.sort_by_key(|&(halfedge, _)| halfedge);
         for of_halfedge in lit.chunk_by(|a, b| a.0 == b.0) {
             self.leave(of_halfedge[0].0, of_halfedge.iter().map(|&(_, window)| window));
         }
-        lit.clear();
-        self.lit = lit;
     }
 
     /// Sends windows out of a face, cut by the values at the edge's ends.
