@@ -1,7 +1,7 @@
 import { expect, test } from '@playwright/test';
 import { FRENCH, REPORTS } from '../../web/texts/fr';
 import { retelling } from '../../web/texts/retelling';
-import { counted, enumerated, filled, Phrase, retold, speak } from '../../web/texts/translate';
+import { counted, enumerated, Phrase, retold, speak } from '../../web/texts/translate';
 import { literals, literalsOf } from '../sentences';
 import { NAMES, saidBy, sources } from '../texts';
 
@@ -129,7 +129,7 @@ test('sentences that are planted in a Rust source are found', () => {
   expect(literalsOf(source)).toEqual(['cancelled', '{0} is no "face"; repair {1}']);
 });
 
-const inFrench = retelling(REPORTS, filled);
+const inFrench = retelling(REPORTS);
 
 test('refusals of files are French as a whole, whatever is put into them', () => {
   const refusals = [

@@ -3,7 +3,7 @@
  * each of them: `fr/`.
  */
 
-import { filled, speak } from './translate';
+import { speak } from './translate';
 
 export {
   count,
@@ -35,7 +35,7 @@ if (typeof document !== 'undefined') await use(preferred());
 async function use(chosen: Language): Promise<void> {
   if (chosen === 'fr') {
     const [{ FRENCH, REPORTS }, { retelling }] = await Promise.all([import('./fr'), import('./retelling')]);
-    speak(chosen, FRENCH, retelling(REPORTS, filled));
+    speak(chosen, FRENCH, retelling(REPORTS));
   } else speak(chosen);
   language = chosen;
   document.documentElement.lang = chosen;

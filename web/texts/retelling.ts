@@ -1,5 +1,5 @@
 /** Sentences of workers, which are in English, in another language. */
-import type { Filled, Retell, Texts } from './translate';
+import { filled, type Retell, type Texts } from './translate';
 
 const PLACE = /\{\d\}/;
 
@@ -28,9 +28,9 @@ const MOST_WAYS = 4000;
 /**
  * What a sentence of a worker is in another language, and what is put into it. Several patterns fit many a sentence ("{0} does not
  * exist" also fits "GLB, accessor 3: it does not exist"): the one counts that leaves the least in English, of equal ones the shortest,
- * which is what stands around the others. `filled` is given: the module that has it waits for this one while the page begins.
+ * which is what stands around the others.
  */
-export function retelling(reports: Texts, filled: Filled): Retell {
+export function retelling(reports: Texts): Retell {
   const patterns = Object.entries(reports)
     .filter(([english]) => PLACE.test(english))
     .map(([english, other]) => compiled(english, other))

@@ -21,9 +21,6 @@ export type Words = string | Phrase;
 /** A number that is no length of a model: those are told in a unit, by `web/length.ts`. */
 export type Plain = number & { readonly ofModel?: never };
 
-/** Puts values into a text. */
-export type Filled = (text: string, values: readonly unknown[]) => string;
-
 /** What sentences of workers are in a language. */
 export type Retell = (sentence: string) => string;
 
