@@ -237,10 +237,13 @@ test('what a driver says stays as it is', () => {
   );
 });
 
+/** What the readers say of a file that would fill memory. */
+function overBudget(budget: string, size: string): string {
+  return `the file takes more than ${budget} of memory, the most that a file of ${size} may take; it is damaged or made to fill memory, save it again`;
+}
+
 test('a long text with many signs at which it could be parted takes no time, and spoils nothing', () => {
   const long = 'cell, face: vertex; of is '.repeat(400);
-  const overBudget = (budget: string, size: string) =>
-    `the file takes more than ${budget} of memory, the most that a file of ${size} may take; it is damaged or made to fill memory, save it again`;
   expect(inFrench(overBudget(long, '125 MB'))).toMatch(/^le fichier prend plus de cell, face: vertex/);
   expect(inFrench(overBudget('9 GB', '125 MB'))).toMatch(
     /^le fichier prend plus de 9 GB .* fichier de 125\u202fMo\u202f;/,
