@@ -4,6 +4,23 @@ import { everyWorkspace, expect, openSection, test } from '../page';
 
 const titles = '.panel-body summary';
 
+/** Files that readers and the budget of memory refuse, and what is told of each; spaces stand for narrow ones too. */
+const REFUSED: readonly [name: string, content: string, told: RegExp][] = [
+  ['a.obj', 'v 0 0 0\nv 1\n', /OBJ, ligne 2\s: un sommet demande trois nombres, mais rien ne suit/],
+  ['a.off', 'OFF 3 1 0\n0 0 0\n', /OFF, fin du fichier\s: il manque 2 des 3 sommets\s; le fichier est tronqué/],
+  ['a.stl', 'solid a\nfacet normal 0 0 1\nouter loop\n', /STL, ligne 2\s: la facette est coupée par la fin du fichier/],
+  [
+    'a.ply',
+    'ply\nformat ascii 1.0\nelement vertex 1\nproperty odd x\nend_header\n',
+    /PLY, ligne 4\s: type de propriété inconnu\s: «\sproperty odd x\s»/,
+  ],
+  [
+    'a.gltf',
+    '{"asset": {"version": "2.0"}, "nodes": [}',
+    /glTF, JSON, ligne 1, colonne \d+\s: une valeur est attendue/,
+  ],
+];
+
 test.describe('in a browser that wants French', () => {
   test.use({ locale: 'fr-FR' });
 
@@ -51,6 +68,11 @@ test.describe('in a browser that wants French', () => {
     // What is refused is told in French; the scene stays.
     await heatwalk.drop([['leer.txt', 'nothing']]);
     await expect(page.getByText('Aucun maillage trouvé dans leer.txt')).toBeVisible();
+
+    for (const [name, content, told] of REFUSED) {
+      await heatwalk.drop([[name, content]]);
+      await expect(page.locator('.message').filter({ hasText: told })).toBeVisible();
+    }
 
     await page.goto('./?lang=en#m=torus');
     await expect(page.locator(titles).first()).toHaveText('Scene');

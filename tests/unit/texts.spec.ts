@@ -63,8 +63,18 @@ const NO_SENTENCE = new Set([
 
 /** Literals that are told only inside these. Alone they would fit many other sentences, or say too little to be put into French. */
 const TOLD_IN: Readonly<Record<string, readonly string[]>> = {
+  '{0} and {1}': ['the number of triples of lengths and of glued sides is {0} and {1}; it must be {2}'],
+  'the number of triples of lengths and of glued sides': [
+    'the number of triples of lengths and of glued sides is {0} and {1}; it must be {2}',
+  ],
   '{0} does not exist': ['the motion cannot be used: {0} does not exist'],
   '{0} is found': ['"{0}" is found'],
+  '{0} has a decimal comma; save the file with decimal points': [
+    '"{0}" has a decimal comma; save the file with decimal points',
+  ],
+  '{0} is not a vertex index; they count from 1': ['"{0}" is not a vertex index; they count from 1'],
+  '{0} is not an OFF header; save it as plain OFF': ['"{0}" is not an OFF header; save it as plain OFF'],
+  '{0} is expected, but {1} is found; correct the line': ['{0} is expected, but "{1}" is found; correct the line'],
   '{0} is missing': ['{0} is missing; the file is cut short, save it again'],
   '{0} is no {1} statement': ['"{0}" is no {1} statement'],
   'byte 0': ['byte {0}'],
@@ -139,11 +149,11 @@ test('refusals of files are French as a whole, whatever is put into them', () =>
     ],
     [
       'OBJ, line 3: a vertex needs three numbers, but "1,5" has a decimal comma; save the file with decimal points',
-      'OBJ, ligne 3 : un sommet demande trois nombres, mais "1,5" a une virgule décimale ; enregistrez le fichier avec des points décimaux',
+      'OBJ, ligne 3 : un sommet demande trois nombres, mais « 1,5 » a une virgule décimale ; enregistrez le fichier avec des points décimaux',
     ],
     [
       'STL, byte 84: 3 of 12 triangles are missing; save it again',
-      'STL, octet 84 : 3 des 12 triangles manquent ; enregistrez le fichier de nouveau',
+      'STL, octet 84 : il manque 3 des 12 triangles ; enregistrez le fichier de nouveau',
     ],
     [
       'PLY, line 3: unknown property type: "property foo x"',
@@ -157,6 +167,14 @@ test('refusals of files are French as a whole, whatever is put into them', () =>
     [
       'glTF, JSON line 4 column 7: expected `,` or `}` at line 4 column 7; export it again',
       'glTF, JSON, ligne 4, colonne 7 : « , » ou « } » est attendu, ligne 4, colonne 7 ; exportez-le de nouveau',
+    ],
+    [
+      'OFF, line 1: the number of vertices is expected, but "x" is found; correct the line',
+      'OFF, ligne 1 : on attend le nombre de sommets, mais on trouve « x » ; corrigez la ligne',
+    ],
+    [
+      'glTF, buffers[0]: invalid type: string "x", expected u64; export the file again',
+      'glTF, buffers[0] : type invalide : texte « x » au lieu de u64 ; exportez le fichier de nouveau',
     ],
     [
       '3MF: encryption (3D/model.model) is not supported; save it without protection',
@@ -206,6 +224,7 @@ test('what no sentence fits stays as it is', () => {
     'NetworkError, code 3: it is over',
     'a.b, c: d',
     'no file is found',
+    'this and that',
     'length',
     '{0}',
   ];
@@ -218,10 +237,17 @@ test('what a driver says stays as it is', () => {
   );
 });
 
+/** What the readers say of a file that would fill memory. */
+function overBudget(budget: string, size: string): string {
+  return `the file takes more than ${budget} of memory, the most that a file of ${size} may take; it is damaged or made to fill memory, save it again`;
+}
+
 test('a long text with many signs at which it could be parted takes no time, and spoils nothing', () => {
-  const long = `GLB, accessor 4: ${'cell, face: vertex; of is '.repeat(400)}`;
-  expect(inFrench(long).slice(0, 20)).toBe('GLB, accesseur 4\u202f: c');
-  expect(inFrench('GLB, accessor 4: it does not exist')).toBe('GLB, accesseur 4\u202f: il n’existe pas');
+  const long = 'cell, face: vertex; of is '.repeat(400);
+  expect(inFrench(overBudget(long, '125 MB'))).toMatch(/^le fichier prend plus de cell, face: vertex/);
+  expect(inFrench(overBudget('9 GB', '125 MB'))).toMatch(
+    /^le fichier prend plus de 9 GB .* fichier de 125\u202fMo\u202f;/,
+  );
 });
 
 test('a phrase is in the language that the page has when it is read, with its numbers, lists and reports', () => {

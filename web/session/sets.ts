@@ -22,7 +22,7 @@ import { atVertices, lineThrough, type Mesh, outlined, pointsOf } from './found'
 import { drawnPlace, filePlace, nearestPlace } from './nearest';
 import { boundaryNear, partOf } from './outlines';
 import type { Session } from './session';
-import { count, t, type Words } from '../texts';
+import { count, counted, t, type Words } from '../texts';
 
 /** As a share of the diameter: what was measured on a model is nearer to it. */
 const FAR = 0.1;
@@ -195,8 +195,13 @@ export function placeList(session: Session, name: string, text: string): PlacedL
     addWhole(scene, { shape: { kind: 'list', name: short }, points, offset: 0 });
     const isByPlace = placed.some(({ row }) => 'coordinates' in row.place);
     return isByPlace
-      ? t`${count(points.length)} sources added, at most ${away} away from where they were given.`
-      : t`${count(points.length)} sources added.`;
+      ? counted(
+          points.length,
+          '{0} source added, at most {1} away from where it was given.',
+          '{0} sources added, at most {1} away from where they were given.',
+          away,
+        )
+      : counted(points.length, '{0} source added.', '{0} sources added.');
   };
   return { count: placed.length, away, isFar: farthest > FAR * places.diameter, add };
 }

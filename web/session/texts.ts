@@ -7,7 +7,7 @@ import { isList, isNamedList } from '../state/list';
 import type { GroundEditor } from './ground';
 import type { Notifier } from './notifier';
 import type { Session } from './session';
-import { count, t } from '../texts';
+import { counted, t } from '../texts';
 
 /** Letters of a text that a message repeats. */
 const TOLD_LETTERS = 40;
@@ -55,9 +55,14 @@ async function offerList(session: Session, notifier: Notifier, text: string): Pr
   }
   const mesh = session.shown.value?.opened;
   notifier.notice(
-    t`The numbers pasted (${count(list.count)} places) lie up to ${list.away} away from the model. Nothing has changed.`,
+    counted(
+      list.count,
+      'The numbers pasted ({0} place) lie {1} away from the model. Nothing has changed.',
+      'The numbers pasted ({0} places) lie up to {1} away from the model. Nothing has changed.',
+      list.away,
+    ),
     {
-      name: t('Add the nearest places as sources'),
+      name: counted(list.count, 'Add the nearest place as a source', 'Add the nearest places as sources'),
       run: () => {
         // Places of another mesh mean nothing on this one.
         if (session.shown.value?.opened === mesh) void reported(notifier, () => notifier.notice(list.add()));

@@ -1,7 +1,8 @@
-/** Sentences of workers, which are in English, in another language. */
-import { filled, type Retell, type Texts } from './translate';
+/** Sentences of workers, which are in English, in another language. Imports no code: that of the page waits for this one. */
+import type { Retell, Texts } from './translate';
 
 const PLACE = /\{\d\}/;
+const PLACES = /\{(\d)\}/g;
 
 /** One sentence, or a part of one, with places for values. */
 interface Pattern {
@@ -49,8 +50,10 @@ export function retelling(reports: Texts): Retell {
         if (++ways > MOST_WAYS) break;
         const readings = values.map((value, index) => (pattern.isForeign[index] ? unread(value) : read(value)));
         const left = readings.reduce((sum, reading) => sum + reading.left, 0);
-        const texts = readings.map(({ text }) => text);
-        if (left < english.left && left <= best.left) best = { text: filled(pattern.other, texts), left };
+        if (left < english.left && left <= best.left) {
+          const text = pattern.other.replaceAll(PLACES, (_, index) => readings[Number(index)]?.text ?? '');
+          best = { text, left };
+        }
       }
     }
     // What was not tried to the end may be more elsewhere.
@@ -89,6 +92,6 @@ function compiled(english: string, other: string): Pattern {
     longest: parts.reduce((longest, part) => (part.length > longest.length ? part : longest)),
     size: parts.reduce((sum, part) => sum + part.length, 0),
     parts,
-    isForeign: parts.slice(1).map((part, index) => /^["')]/.test(part) && /["'(]$/.test(parts[index] ?? '')),
+    isForeign: parts.slice(1).map((part, index) => /^["'`)]/.test(part) && /["'`(]$/.test(parts[index] ?? '')),
   };
 }

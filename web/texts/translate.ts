@@ -39,8 +39,7 @@ export function t(text: string | TemplateStringsArray, ...values: readonly (Word
   return new Phrase(() => filled(spoken.texts[key] ?? key, values));
 }
 
-/** A text with its values. */
-export function filled(text: string, values: readonly unknown[]): string {
+function filled(text: string, values: readonly unknown[]): string {
   return values.length === 0 ? text : text.replaceAll(/\{(\d)\}/g, (_, index) => String(values[Number(index)]));
 }
 

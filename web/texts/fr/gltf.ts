@@ -30,6 +30,10 @@ export const GLTF: Texts = {
   'missing field `{0}`': 'la propriété `{0}` manque',
   'duplicate field `{0}`': 'la propriété `{0}` est double',
   'invalid type: {0}, expected {1}': 'type invalide : {0} au lieu de {1}',
+  'string "{0}"': 'texte « {0} »',
+  'integer `{0}`': 'nombre entier `{0}`',
+  'floating point `{0}`': 'nombre `{0}`',
+  'boolean `{0}`': 'booléen `{0}`',
   'invalid value: {0}, expected {1}': 'valeur invalide : {0} au lieu de {1}',
   // The container.
   'the GLB file is cut short; copy it again': 'le fichier GLB est tronqué ; copiez-le de nouveau',

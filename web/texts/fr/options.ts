@@ -50,12 +50,12 @@ export const OPTIONS: Texts = {
   'animation is {0}; it must be {1}': 'l’animation est {0} ; il faut {1}',
   'a vertex': 'un sommet',
   'a triple of edge lengths': 'un triplet de longueurs d’arêtes',
-  'the number of triples of lengths and of glued sides': 'le nombre de triplets de longueurs et de côtés collés',
+  'the number of triples of lengths and of glued sides is {0} and {1}; it must be {2}':
+    'les triplets de longueurs sont {0} et ceux de côtés collés {1} ; il faut {2}',
   // Values.
   '{0} at face {1}': '{0} à la face {1}',
   '{0} at vertex {1}': '{0} au sommet {1}',
   '{0} at vertex {1}, and out of range at {2} more': '{0} au sommet {1}, et hors limites à {2} autres',
-  '{0} and {1}': '{0} et {1}',
   // Ranges.
   '0 or more': 'au moins 0',
   '0 or more, and finite': 'un nombre fini, au moins 0',

@@ -6,8 +6,11 @@ export const PAGE: Texts = {
     'Cette adresse de {0} ne nomme aucun maillage ; s’il y en a un, ouvrez-la par le menu à côté du nom.',
   'What was pasted, “{0}”, is no mesh, no address of one, no link and no list of sources. Nothing has changed.':
     'Le texte collé, « {0} », n’est ni un maillage, ni l’adresse d’un maillage, ni un lien, ni une liste de sources. Rien n’a changé.',
+  'The numbers pasted ({0} place) lie {1} away from the model. Nothing has changed.':
+    'Les nombres collés ({0} endroit) s’écartent du modèle de {1}. Rien n’a changé.',
   'The numbers pasted ({0} places) lie up to {1} away from the model. Nothing has changed.':
-    'Les nombres collés ({0} endroits) sont jusqu’à {1} du modèle. Rien n’a changé.',
+    'Les nombres collés ({0} endroits) s’écartent du modèle de {1} au plus. Rien n’a changé.',
+  'Add the nearest place as a source': 'Ajouter l’endroit le plus proche comme source',
   'Add the nearest places as sources': 'Ajouter les endroits les plus proches comme sources',
   'A new version of this page is ready. Until you reload, nothing changes.':
     'Une nouvelle version de cette page est prête. Rien ne change avant que vous ne rechargiez.',
@@ -527,6 +530,9 @@ export const PAGE: Texts = {
     'Sans lien avec aucune source, et donc hachurés : {1} ({2}). Ajoutez-y une source, ou reliez ces pièces.',
   '{0} isoline': '{0} isoligne',
   '{0} isolines': '{0} isolignes',
+  '{0} source added.': '{0} source ajoutée.',
+  '{0} source added, at most {1} away from where it was given.':
+    '{0} source ajoutée, à {1} au plus de l’endroit donné.',
   '{0} sources added, at most {1} away from where they were given.':
     '{0} sources ajoutées, à {1} au plus des endroits donnés.',
   '{0} sources added.': '{0} sources ajoutées.',

@@ -74,16 +74,17 @@ export const READERS: Texts = {
   'a vertex needs three numbers, but {0}': 'un sommet demande trois nombres, mais {0}',
   'it is missing': 'rien ne suit',
   '"{0}" is found': 'on trouve « {0} »',
-  '{0} has a decimal comma; save the file with decimal points':
-    '{0} a une virgule décimale ; enregistrez le fichier avec des points décimaux',
+  '"{0}" has a decimal comma; save the file with decimal points':
+    '« {0} » a une virgule décimale ; enregistrez le fichier avec des points décimaux',
   'vertex {0} does not exist; there are {1}, counted from {2}':
     'le sommet {0} n’existe pas ; il y en a {1}, comptés à partir de {2}',
   // OBJ.
   'vertex {0} counts back beyond the {1} vertices so far':
     'le sommet {0} compte en arrière au-delà des {1} sommets lus jusque-là',
-  '{0} is not a vertex index; they count from 1': '{0} n’est pas un indice de sommet ; ils comptent à partir de 1',
+  '"{0}" is not a vertex index; they count from 1':
+    '« {0} » n’est pas un indice de sommet ; ils comptent à partir de 1',
   // OFF.
-  '{0} is not an OFF header; save it as plain OFF': '{0} n’est pas un en-tête OFF ; enregistrez-le en OFF simple',
+  '"{0}" is not an OFF header; save it as plain OFF': '« {0} » n’est pas un en-tête OFF ; enregistrez-le en OFF simple',
   'binary OFF': 'le format OFF binaire',
   'save it as ASCII OFF or binary PLY': 'enregistrez-le en OFF ASCII ou en PLY binaire',
   'the number of dimensions': 'le nombre de dimensions',
@@ -94,11 +95,11 @@ export const READERS: Texts = {
   '{0}; the file is cut short, save it again': '{0} ; le fichier est tronqué, enregistrez-le de nouveau',
   '{0} is missing; the file is cut short, save it again':
     'il manque {0} ; le fichier est tronqué, enregistrez-le de nouveau',
-  '{0} is expected, but {1} is found; correct the line': 'on attend {0}, mais on trouve {1} ; corrigez la ligne',
+  '{0} is expected, but "{1}" is found; correct the line': 'on attend {0}, mais on trouve « {1} » ; corrigez la ligne',
   'vertex {0} needs {1} numbers, but {2}; correct the line':
     'le sommet {0} demande {1} nombres, mais {2} ; corrigez la ligne',
-  '{0} of {1} vertices are missing': '{0} des {1} sommets manquent',
-  '{0} of {1} faces are missing': '{0} des {1} faces manquent',
+  '{0} of {1} vertices are missing': 'il manque {0} des {1} sommets',
+  '{0} of {1} faces are missing': 'il manque {0} des {1} faces',
   'the number of corners of a face': 'le nombre de coins d’une face',
   'corner {0} of face {1} is missing; correct the line': 'le coin {0} de la face {1} manque ; corrigez la ligne',
   'a vertex of a face': 'un sommet d’une face',
@@ -130,7 +131,7 @@ export const READERS: Texts = {
   'the file is shorter than an STL header; save it again':
     'le fichier est plus court qu’un en-tête STL ; enregistrez-le de nouveau',
   '{0} of {1} triangles are missing; save it again':
-    '{0} des {1} triangles manquent ; enregistrez le fichier de nouveau',
+    'il manque {0} des {1} triangles ; enregistrez le fichier de nouveau',
   'the facet is cut short by the end of the file; save it again':
     'la facette est coupée par la fin du fichier ; enregistrez-le de nouveau',
   'a facet has {0} corners instead of 3': 'une facette a {0} coins au lieu de 3',
