@@ -106,7 +106,7 @@ fn bytes(
         CurveFormat::StripsObj => write::strips_obj(&Strips::cut(field, levels)?, unit),
         CurveFormat::Unrolled(format) => {
             let strips = Strips::cut(field, levels)?;
-            let sheet = Sheet::unroll(&strips)?;
+            let sheet = Sheet::unroll(field, &strips)?;
             left_out = sheet.strips_left_out().into_iter().map(|strip| strips.name(strip)).collect();
             match format {
                 SheetFormat::Svg => write::sheet_svg(&sheet, &strips, unit),

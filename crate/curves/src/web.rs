@@ -111,7 +111,7 @@ impl Curves {
             "strips.obj" => write::strips_obj(&strips()?, unit),
             "unrolled.svg" | "unrolled.dxf" | "unrolled.pdf" => {
                 let strips = strips()?;
-                let sheet = Sheet::unroll(&strips)?;
+                let sheet = Sheet::unroll(&self.field, &strips)?;
                 self.left_out = sheet.strips_left_out().into_iter().map(|strip| strips.bounds(strip)).collect();
                 match kind {
                     "unrolled.svg" => write::sheet_svg(&sheet, &strips, unit),
