@@ -86,12 +86,20 @@ fn rings_of_a_tube_unroll_where_vertices_are_at_the_levels_up_to_rounding() {
 
 #[test]
 fn rings_unroll_however_near_their_rims_are_to_vertices() {
-    // Much more than rounding, and much less than a triangle: what the isoline cuts off has no angles in 64 bits.
-    for distance in [1e-12, 1e-11, 1e-9, 1e-6, 1e-3] {
-        let field = field(&tube(96, 40, 100.0), |position| position.z + distance * (1.5 + noise(position)));
+    // More than what is taken for rounding, and much less than a triangle: far from the origin, as in map coordinates, what the
+    // isoline cuts off there has no angles in 64 bits.
+    let far = 1e5;
+    for distance in [2e-10, 1e-9, 1e-6, 1e-3] {
+        let mut soup = tube(96, 40, 100.0);
+        soup.positions.iter_mut().for_each(|position| *position += far);
+        let field = field(&soup, |position| position.z - far + distance * (1.5 + noise(position)));
         let strips = Strips::cut(&field, &Levels::at(&[10.0, 20.0]).unwrap()).unwrap();
         let sheet = Sheet::unroll(&field, &strips).unwrap();
         assert_eq!((sheet.planes.len(), sheet.left_out.len()), (3, 0), "{distance}");
+        for plane in &sheet.planes {
+            let whole = area(&strips.positions, &strips.triangles[strips.ranges[plane.strip].clone()]);
+            assert!((plane_area(&plane.loops) / whole - 1.0).abs() < 1e-9);
+        }
     }
 }
 
