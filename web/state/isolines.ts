@@ -31,7 +31,7 @@ const ROUNDING = 1e-12;
 /** The same wish, where a surface has isolines of it: some are not beyond the largest distance. */
 export function withinReach(wish: IsolineWish, largest: ModelLength, unit: LengthUnit): IsolineWish {
   const { values, spacing } = wish;
-  const [least] = [...values].sort((a, b) => a - b);
+  const least = values.find((value) => values.every((other) => value <= other));
   // Once is enough.
   const said = { ...unit, assumed: false };
   if (least === undefined && spacing >= largest)

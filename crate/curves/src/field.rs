@@ -5,14 +5,10 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::error::{Error, Result};
-use crate::levels::Levels;
+use crate::levels::{Levels, SAME_DISTANCE};
 
 /// In place of a half-edge: there is none.
 pub(crate) const NONE: u32 = u32::MAX;
-
-/// Distances that differ by no more than this share of the largest one are the same: along different ways around a mesh, rounding
-/// makes about a tenth of it.
-pub(crate) const SAME_DISTANCE: f64 = 1e-12;
 
 /// A triangle surface with a value at each vertex, which is linear on each triangle.
 ///

@@ -1,7 +1,10 @@
 //! The values whose isolines are wanted.
 
 use crate::error::{Error, MOST_LEVELS, Result};
-use crate::field::SAME_DISTANCE;
+
+/// Distances that differ by no more than this share of the largest one are the same: along different ways around a mesh, rounding
+/// makes about a tenth of it.
+pub(crate) const SAME_DISTANCE: f64 = 1e-12;
 
 /// Finite values, ascending, each once; one at least.
 #[derive(Debug, Clone, PartialEq)]

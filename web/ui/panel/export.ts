@@ -8,18 +8,7 @@ import { commandLines, type Measured, pythonLines } from '../../state/reproduce'
 import type { MeshReference, Overlay } from '../../state/scene';
 import { isolinesText, parseIsolines, withinReach } from '../../state/isolines';
 import { rustLines } from '../../state/rust';
-import {
-  inModel,
-  isKnown,
-  isSameUnit,
-  type LengthUnit,
-  MODEL,
-  ofModel,
-  told,
-  toldArea,
-  unitOf,
-  unitOfFile,
-} from '../../length';
+import { inModel, isKnown, isSameUnit, type LengthUnit, MODEL, told, toldArea, unitOf, unitOfFile } from '../../length';
 import { save } from '../../view/picture';
 import { copy } from '../clipboard';
 import { h, say, select } from '../dom';
@@ -133,7 +122,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   const wish = () => {
     // The typed text, not the scene, says what cannot be read.
     parseIsolines(at.value, shownUnit(session));
-    const largest = session.shown.value?.answer.field?.maxDistance ?? ofModel(0);
+    const largest = session.shown.value?.answer.field?.maxDistance ?? inModel(0, MODEL);
     return withinReach(isolineWish(session), largest, shownUnit(session));
   };
   at.addEventListener('input', () => {
