@@ -256,8 +256,8 @@ export type IsolineRow = WithLengths<curves.IsolineRow, 'value' | 'length', 'are
 /** Isolines of a field. */
 export interface Isolines {
   rows: readonly IsolineRow[];
-  /** #segments × 2 × 3, ends of all segments, as they are drawn. */
-  ends: Float32Array;
+  /** Whether they follow the distance itself, with lengths that are right to a thousandth; else they are chords of triangles. */
+  isTrue: boolean;
 }
 
 /** A file of isolines, of strips between them, or of these in the plane; of curves as they are seen in an SVG, whence. */

@@ -75,7 +75,7 @@ export class Overlays {
     try {
       const edges = this.#needsEdges ? await edgesOf(engine, overlays) : null;
       const isolines = edges && overlays.includes('isolines') ? drawnIsolines(session) : null;
-      if (isolines) edges?.push({ ...ISOLINES, ends: (await engine.queries.isolines(isolines)).ends });
+      if (isolines) edges?.push({ ...ISOLINES, ends: await engine.queries.isolineEnds(isolines) });
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await engine.queries.gradients(kind) : new Float32Array();
       const other = colorBy === 'distance' || !field ? null : await instead(engine, colorBy, field);

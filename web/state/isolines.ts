@@ -1,7 +1,8 @@
 /** At which distances isolines are, and how a link writes it. */
 import { Failure } from '../error';
 import type { IsolineWish } from '../protocol';
-import { inModel, type LengthUnit, MODEL, ofModel, typed } from '../length';
+import { inModel, type LengthUnit, MODEL, type ModelLength, ofModel, typed } from '../length';
+import { measure } from './measures';
 import { amount, parseAmount, precise } from './text';
 import { count, t } from '../texts';
 
@@ -22,6 +23,26 @@ export function parseIsolines(text: string, unit: LengthUnit): IsolineWish | nul
   const isList = numbers.length > 1 || /[,;]/.test(text);
   if (!isList && spacing === 0) throw new Failure(t('A spacing of 0 has no end of isolines. Give a larger one.'));
   return isList ? wishOf(numbers, unit) : { values: [], spacing: inModel(spacing, unit) };
+}
+
+/** What distances may differ by, as a share, and be the same: rounding. */
+const ROUNDING = 1e-12;
+
+/** The same wish, where a surface has isolines of it: some are not beyond the largest distance. */
+export function withinReach(wish: IsolineWish, largest: ModelLength, unit: LengthUnit): IsolineWish {
+  const { values, spacing } = wish;
+  const least = values.find((value) => values.every((other) => value <= other));
+  // Once is enough.
+  const said = { ...unit, assumed: false };
+  if (least === undefined && spacing >= largest)
+    throw new Failure(
+      t`A spacing of ${measure(spacing, said)} is not below the largest distance, ${measure(largest, unit)}. Give a smaller one.`,
+    );
+  if (least !== undefined && least > largest * (1 + ROUNDING))
+    throw new Failure(
+      t`${measure(least, said)} is beyond the largest distance, ${measure(largest, unit)}. Give smaller values.`,
+    );
+  return wish;
 }
 
 function wishOf(values: readonly number[], unit: LengthUnit): IsolineWish {

@@ -1,11 +1,12 @@
 //! `heatwalk isolines`.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use anyhow::{Result, bail};
 use glam::DVec3;
-use heatwalk::{Unit, go_on};
-use heatwalk_curves::{Field, Isolines, Levels, Sheet, Strips, write};
+use heatwalk::exact::PlaceDistances;
+use heatwalk::{Error, FaceId, Place, Unit, go_on};
+use heatwalk_curves::{Field, Isolines, Levels, Places, Refined, Sheet, Strips, TRUE_TO, write};
 use serde_json::json;
 
 use crate::args;
@@ -14,6 +15,9 @@ use crate::output::{CurveFormat, Output, SheetFormat};
 use crate::question::{Posed, pose};
 use crate::report::milliseconds;
 use crate::volume;
+
+/// For isolines that follow the distance itself.
+const MOST_TIME: Duration = Duration::from_secs(2);
 
 pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     let question = &arguments.question;
@@ -38,6 +42,11 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
         (_, Some(count)) => Levels::counted(count, field.largest())?,
         (None, None) => Levels::at(&arguments.values)?,
     };
+    let Refined { field, is_true } = match prepared.solver.place_distances(&answer) {
+        Ok(Some(distances)) => field.refined(&levels, |places| distances_at(&distances, places, start))?,
+        Ok(None) | Err(Error::NotExact) => Refined { field, is_true: false },
+        Err(error) => return Err(error.into()),
+    };
     let isolines = Isolines::trace(&field, &levels);
     let isolines_ms = milliseconds(start);
     if let Some(output) = output {
@@ -52,6 +61,8 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     for (name, value) in facts(&answer, &values, &options) {
         report.push(name, value);
     }
+    let exact = format!("exact to {TRUE_TO} of the length");
+    report.push("curves", if is_true { exact } else { "chords of triangles".to_owned() });
     if !question.mesh.json {
         report.push("isolines", isolines.isolines.len());
     }
@@ -76,6 +87,15 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     );
     let table = if question.mesh.json { String::new() } else { in_lines(&isolines) };
     Ok(report.render(question.mesh.json) + &table)
+}
+
+/// The distances at places, unless there is no more time.
+fn distances_at(distances: &PlaceDistances<'_>, places: &Places, start: Instant) -> Result<Option<Vec<f64>>> {
+    if start.elapsed() > MOST_TIME {
+        return Ok(None);
+    }
+    let at = |(&face, &weights): (&u32, &[f64; 3])| distances.at(Place::Face { face: FaceId(face), weights });
+    Ok(Some(places.triangles.iter().zip(&places.weights).map(at).collect::<heatwalk::Result<_>>()?))
 }
 
 /// The file, and the strips that are left out of it since they are curved.
@@ -106,7 +126,7 @@ fn bytes(
         CurveFormat::StripsObj => write::strips_obj(&Strips::cut(field, levels)?, unit),
         CurveFormat::Unrolled(format) => {
             let strips = Strips::cut(field, levels)?;
-            let sheet = Sheet::unroll(&strips)?;
+            let sheet = Sheet::unroll(field, &strips)?;
             left_out = sheet.strips_left_out().into_iter().map(|strip| strips.name(strip)).collect();
             match format {
                 SheetFormat::Svg => write::sheet_svg(&sheet, &strips, unit),

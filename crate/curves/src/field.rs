@@ -1,8 +1,11 @@
 //! A surface with a distance at each vertex, and which of its triangles are neighbors.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use crate::error::{Error, Result};
+use crate::levels::{Levels, SAME_DISTANCE};
 
 /// In place of a half-edge: there is none.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -13,9 +16,14 @@ pub(crate) const NONE: u32 = u32::MAX;
 /// them and they agree in orientation; at a boundary, where three meet or where orientations differ, curves end.
 #[derive(Debug, Clone)]
 pub struct Field {
+    mesh: Arc<Mesh>,
+    distances: Vec<f64>,
+}
+
+#[derive(Debug)]
+struct Mesh {
     positions: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
-    distances: Vec<f64>,
     edges: Edges,
 }
 
@@ -41,17 +49,31 @@ impl Field {
                 return Err(Error::IndexOutOfRange { triangle, vertex, vertices });
             }
         }
-        Ok(Self { edges: Edges::of(&triangles), positions, triangles, distances })
+        Ok(Self { mesh: Arc::new(Mesh { edges: Edges::of(&triangles), positions, triangles }), distances })
+    }
+
+    /// The same with distances that are a level's up to rounding at that level: beyond it is then nothing of no width.
+    pub(crate) fn at_levels(&self, levels: &Levels) -> Self {
+        let finite = self.distances.iter().copied().filter(|distance| distance.is_finite());
+        let tolerance = SAME_DISTANCE * finite.fold(0.0, |largest, distance| distance.abs().max(largest));
+        let values = levels.values();
+        let at_level = |&distance: &f64| {
+            let above = values.partition_point(|&value| value < distance);
+            let beside = values[above.saturating_sub(1)..].iter().take(2).copied();
+            let nearest = beside.min_by(|a, b| (a - distance).abs().total_cmp(&(b - distance).abs()));
+            nearest.filter(|value| (value - distance).abs() <= tolerance).unwrap_or(distance)
+        };
+        Self { mesh: Arc::clone(&self.mesh), distances: self.distances.iter().map(at_level).collect() }
     }
 
     /// `#V × 3`.
     pub fn positions(&self) -> &[DVec3] {
-        &self.positions
+        &self.mesh.positions
     }
 
     /// `#F × 3`.
     pub fn triangles(&self) -> &[[u32; 3]] {
-        &self.triangles
+        &self.mesh.triangles
     }
 
     /// `#V`.
@@ -65,42 +87,46 @@ impl Field {
     }
 
     pub(crate) fn corners(&self, triangle: usize) -> [DVec3; 3] {
-        self.triangles[triangle].map(|corner| self.positions[corner as usize])
+        self.mesh.triangles[triangle].map(|corner| self.mesh.positions[corner as usize])
     }
 
     /// The distances at the corners; none where one is infinite.
     pub(crate) fn corner_distances(&self, triangle: usize) -> Option<[f64; 3]> {
-        let distances = self.triangles[triangle].map(|corner| self.distances[corner as usize]);
+        let distances = self.mesh.triangles[triangle].map(|corner| self.distances[corner as usize]);
         distances.iter().all(|distance| distance.is_finite()).then_some(distances)
     }
 
     /// The vertices that a half-edge leaves and enters.
     pub(crate) fn ends(&self, halfedge: usize) -> [usize; 2] {
-        let corners = self.triangles[halfedge / 3];
+        let corners = self.mesh.triangles[halfedge / 3];
         let k = halfedge % 3;
         [corners[k] as usize, corners[(k + 1) % 3] as usize]
     }
 
     pub(crate) fn twin(&self, halfedge: usize) -> Option<usize> {
-        self.edges.twin(halfedge)
+        self.mesh.edges.twin(halfedge)
     }
 
     pub(crate) fn edges(&self) -> &Edges {
-        &self.edges
+        &self.mesh.edges
     }
 
     /// Where an edge is at a value: one end is below it, and the other is not. The same point from both sides, to the last
     /// bit, for it is always found from the end below.
     pub(crate) fn crossing(&self, halfedge: usize, value: f64) -> DVec3 {
+        let ([below, above], share) = self.share_to_crossing(halfedge, value);
+        let [below, above] = [below, above].map(|vertex| self.mesh.positions[vertex as usize]);
+        if share == 1.0 { above } else { below.lerp(above, share) }
+    }
+
+    /// The ends of that edge, the one below first, and which share of the way between them it is.
+    pub(crate) fn share_to_crossing(&self, halfedge: usize, value: f64) -> ([u32; 2], f64) {
         let [a, b] = self.ends(halfedge);
         let (below, above) = if self.distances[a] < value { (a, b) } else { (b, a) };
         let (low, high) = (self.distances[below], self.distances[above]);
-        if high == value {
-            return self.positions[above];
-        }
         // Halves first: the difference of two large numbers may be none.
         let share = (0.5 * value - 0.5 * low) / (0.5 * high - 0.5 * low);
-        self.positions[below].lerp(self.positions[above], share)
+        ([below as u32, above as u32], share)
     }
 }
 
@@ -108,7 +134,9 @@ impl Field {
 #[derive(Debug, Clone)]
 pub(crate) struct Edges {
     /// `3 #F`, the half-edge on the other side; [`NONE`] where there is no one neighbor.
-    twins: Vec<u32>,
+    others: Vec<u32>,
+    /// `3 #F`, whether that leads the same way: the neighbor is oriented otherwise.
+    is_turned: Vec<bool>,
     /// `3 #F`, the edge of each half-edge; an edge is a pair of vertices.
     numbers: Vec<u32>,
     count: usize,
@@ -117,7 +145,17 @@ pub(crate) struct Edges {
 impl Edges {
     /// The half-edge on the other side of an edge of two triangles that agree in orientation.
     pub(crate) fn twin(&self, halfedge: usize) -> Option<usize> {
-        Some(self.twins[halfedge]).filter(|&twin| twin != NONE).map(|twin| twin as usize)
+        self.other(halfedge).filter(|_| !self.is_turned[halfedge])
+    }
+
+    /// The same where they need not agree.
+    pub(crate) fn other(&self, halfedge: usize) -> Option<usize> {
+        Some(self.others[halfedge]).filter(|&other| other != NONE).map(|other| other as usize)
+    }
+
+    /// Whether the neighbor across a half-edge is oriented otherwise.
+    pub(crate) fn is_turned(&self, halfedge: usize) -> bool {
+        self.is_turned[halfedge]
     }
 
     /// The edge that a half-edge lies on, counted from 0.
@@ -141,18 +179,18 @@ impl Edges {
         };
         let mut order: Vec<u32> = (0..3 * triangles.len() as u32).collect();
         order.sort_by_key(|&halfedge| (sorted_ends(halfedge), halfedge));
-        let mut twins = vec![NONE; order.len()];
+        let mut others = vec![NONE; order.len()];
+        let mut is_turned = vec![false; order.len()];
         let mut numbers = vec![0; order.len()];
         let mut count = 0;
         for group in order.chunk_by(|&a, &b| sorted_ends(a) == sorted_ends(b)) {
             group.iter().for_each(|&halfedge| numbers[halfedge as usize] = count);
             count += 1;
-            if let &[a, b] = group
-                && ends(a as usize).0 != ends(b as usize).0
-            {
-                (twins[a as usize], twins[b as usize]) = (b, a);
+            if let &[a, b] = group {
+                (others[a as usize], others[b as usize]) = (b, a);
+                group.iter().for_each(|&halfedge| is_turned[halfedge as usize] = ends(a as usize) == ends(b as usize));
             }
         }
-        Self { twins, numbers, count: count as usize }
+        Self { others, is_turned, numbers, count: count as usize }
     }
 }

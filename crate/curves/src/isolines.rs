@@ -1,8 +1,8 @@
 //! Isolines as ordered, oriented curves.
 //!
 //! A vertex whose distance is the value counts as farther, so each triangle that an isoline meets has corners on both sides
-//! and exactly two of its edges are crossed: there is no degenerate case, and no tolerance. Points that fall together at such
-//! a vertex become one afterwards.
+//! and exactly two of its edges are crossed: there is no degenerate case. Points that fall together at such a vertex become one
+//! afterwards. Distances that are a value up to rounding are first made that value.
 
 use glam::DVec3;
 use heatwalk_surface::triangle;
@@ -57,6 +57,7 @@ impl Curve {
 impl Isolines {
     /// Finds the isolines of all levels. Triangles with an infinite distance have none.
     pub fn trace(field: &Field, levels: &Levels) -> Self {
+        let field = &field.at_levels(levels);
         let areas = area::enclosed(field, levels);
         let mut is_traced = vec![false; field.triangles().len()];
         let isoline = |((&value, crossed), enclosed_area): ((&f64, Vec<u32>), f64)| {

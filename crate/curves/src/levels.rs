@@ -2,6 +2,10 @@
 
 use crate::error::{Error, MOST_LEVELS, Result};
 
+/// Distances that differ by no more than this share of the largest one are the same: along different ways around a mesh, rounding
+/// makes about a tenth of it.
+pub(crate) const SAME_DISTANCE: f64 = 1e-12;
+
 /// Finite values, ascending, each once; one at least.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Levels(Vec<f64>);
@@ -28,22 +32,24 @@ impl Levels {
         Ok(Self(values))
     }
 
-    /// The multiples of a spacing between 0 and the largest distance, both excluded.
+    /// The multiples of a spacing between 0 and the largest distance, both excluded; so is a multiple that is the largest distance
+    /// up to rounding.
     ///
     /// # Errors
     /// [`Error::NoLevel`] for a spacing that is not positive or not below the largest distance; [`Error::TooManyLevels`].
     pub fn spaced(spacing: f64, largest: f64) -> Result<Self> {
+        let below = largest * (1.0 - SAME_DISTANCE);
         let reason = if !(spacing.is_finite() && spacing > 0.0) {
             format!("a spacing is a positive number, not {spacing}")
-        } else if spacing >= largest {
+        } else if spacing >= below {
             format!("the spacing {spacing} is not below the largest distance, {largest}; choose a smaller one")
         } else {
-            let levels = (largest / spacing).ceil() - 1.0;
+            let levels = (below / spacing).ceil() - 1.0;
             if levels > MOST_LEVELS as f64 {
                 return Err(Error::TooManyLevels { levels });
             }
             let multiples = (1..=levels as u32).map(|index| f64::from(index) * spacing);
-            return Self::at(&multiples.filter(|&value| value < largest).collect::<Vec<_>>());
+            return Self::at(&multiples.filter(|&value| value < below).collect::<Vec<_>>());
         };
         Err(Error::NoLevel { reason })
     }

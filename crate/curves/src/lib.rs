@@ -1,6 +1,7 @@
 //! Isolines of a distance on a surface, the surface cut along them into strips, and strips unrolled into the plane.
 //!
-//! A [`Field`] is a surface with a value at each vertex, linear on each triangle. [`Levels`] are the values whose isolines are
+//! A [`Field`] is a surface with a value at each vertex, linear on each triangle; [`Field::refined`] divides triangles where the
+//! distance that it stands for is not. [`Levels`] are the values whose isolines are
 //! wanted; [`Isolines::trace`] finds the curves, [`Strips::cut`] the strips between them, [`Sheet::unroll`] their plane
 //! shapes. [`mod@write`] makes files of all of them. On the page this is a wasm module of its own, loaded when one is asked for.
 
@@ -9,6 +10,7 @@ mod error;
 mod field;
 mod isolines;
 mod levels;
+mod refine;
 mod sheet;
 mod strips;
 mod unroll;
@@ -20,5 +22,6 @@ pub use error::{Error, MAX_DEFECT, MOST_LEVELS, NotDevelopable, Result};
 pub use field::Field;
 pub use isolines::{Curve, Isoline, Isolines};
 pub use levels::Levels;
+pub use refine::{Places, Refined, TRUE_TO};
 pub use sheet::{Plane, Sheet};
 pub use strips::Strips;

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use crate::error::{NotDevelopable, Result};
+use crate::field::Field;
 use crate::strips::Strips;
 use crate::unroll::pieces;
 
@@ -15,7 +16,8 @@ pub struct Plane {
     /// Which strip it is a piece of.
     pub strip: usize,
     /// Closed loops, in the field's unit: counter-clockwise around the shape, clockwise around its holes. Where a ring was cut
-    /// open, its loop goes along both sides of the cut. A ring that winds by more than a turn overlaps itself.
+    /// open, since it does not close in the plane, its loop goes along both sides of the cut. A ring that winds by more than a
+    /// turn overlaps itself.
     pub loops: Vec<Vec<DVec2>>,
 }
 
@@ -31,14 +33,14 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// Unrolls the pieces of all strips but those that are curved.
+    /// Unrolls the pieces of all strips of a field but those that are curved.
     ///
     /// # Errors
     /// [`Error::NotDevelopable`](crate::Error::NotDevelopable) for the first one where all are.
-    pub fn unroll(strips: &Strips) -> Result<Self> {
+    pub fn unroll(field: &Field, strips: &Strips) -> Result<Self> {
         let (mut planes, mut left_out) = (Vec::new(), Vec::new());
         for strip in 0..strips.ranges.len() {
-            for piece in pieces(strips, strip) {
+            for piece in pieces(field, strips, strip) {
                 match piece.unroll() {
                     Ok(loops) => planes.push(Plane { strip, loops }),
                     Err(curved) => left_out.push(curved),

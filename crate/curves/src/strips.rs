@@ -27,6 +27,8 @@ pub struct Strips {
     pub ranges: Vec<Range<usize>>,
     /// The levels.
     pub values: Vec<f64>,
+    /// Of each vertex after those of the field, the ends of the edge that it is on, and which share of the way it is.
+    pub(crate) crossings: Vec<([u32; 2], f64)>,
 }
 
 impl Strips {
@@ -35,6 +37,7 @@ impl Strips {
     /// # Errors
     /// [`Error::TooManyVertices`].
     pub fn cut(field: &Field, levels: &Levels) -> Result<Self> {
+        let field = &field.at_levels(levels);
         let values = levels.values();
         let mut points = EdgePoints::new(field, values)?;
         let mut parts = vec![Vec::new(); values.len() + 1];
@@ -54,8 +57,8 @@ impl Strips {
             end += part.len();
         }
         let (triangles, origins) = parts.into_iter().flatten().unzip();
-        let EdgePoints { positions, distances, .. } = points;
-        Ok(Self { positions, distances, triangles, origins, ranges, values: values.to_vec() })
+        let EdgePoints { positions, distances, crossings, .. } = points;
+        Ok(Self { positions, distances, triangles, origins, ranges, values: values.to_vec(), crossings })
     }
 
     /// The distances that a strip lies between; none where it has no bound but the surface's own.
@@ -81,6 +84,8 @@ type Stop = (u32, usize);
 struct EdgePoints {
     positions: Vec<DVec3>,
     distances: Vec<f64>,
+    /// Of each vertex that is not the field's.
+    crossings: Vec<([u32; 2], f64)>,
     /// Of each edge the vertex on the first level that crosses it, those on the next ones following; [`NONE`] before they are
     /// made.
     firsts: Vec<u32>,
@@ -97,6 +102,7 @@ impl EdgePoints {
         let points = Self {
             positions: field.positions().to_vec(),
             distances: field.distances().to_vec(),
+            crossings: Vec::new(),
             firsts: vec![NONE; field.edges().count()],
             places: field.distances().iter().map(place).collect(),
         };
@@ -124,6 +130,7 @@ impl EdgePoints {
         if self.firsts[edge] == NONE {
             self.firsts[edge] = self.positions.len() as u32;
             self.positions.extend(levels.clone().map(|level| field.crossing(side, values[level])));
+            self.crossings.extend(levels.clone().map(|level| field.share_to_crossing(side, values[level])));
             self.distances.extend(&values[levels.clone()]);
         }
         let first = self.firsts[edge];

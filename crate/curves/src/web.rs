@@ -4,13 +4,14 @@ use glam::DVec3;
 use heatwalk::{Soup, Unit, Up};
 use heatwalk_bindings::{Failure, Message, Result, resources, transform};
 use heatwalk_model::{Model, io};
-use js_sys::Function;
+use js_sys::{Float64Array, Function, Uint32Array};
 use wasm_bindgen::prelude::*;
 
 use crate::error::Error;
 use crate::field::Field;
 use crate::isolines::{Isoline, Isolines};
 use crate::levels::Levels;
+use crate::refine::{Places, Refined};
 use crate::sheet::Sheet;
 use crate::strips::Strips;
 use crate::write;
@@ -21,6 +22,7 @@ pub struct Curves {
     field: Field,
     levels: Levels,
     isolines: Isolines,
+    is_true: bool,
     /// Of the last file, what strips that it has not are between.
     left_out: Vec<[Option<f64>; 2]>,
 }
@@ -49,10 +51,11 @@ impl From<Error> for Failure {
 #[wasm_bindgen]
 impl Curves {
     /// Traces isolines: `positions` are `#V × 3`, `triangles` `#F × 3`, `distances` `#V`. They are at these `values` or, where there
-    /// are none, at the multiples of a `spacing`.
+    /// are none, at the multiples of a `spacing`. Where distances are exact, `ask` gives those at other places, which are triangles
+    /// and three weights each, or nothing when there is no more time: isolines follow them then.
     ///
     /// # Errors
-    /// As [`Field::new`] and [`Levels`].
+    /// As [`Field::new`] and [`Levels`], and what `ask` throws.
     #[wasm_bindgen(constructor)]
     pub fn new(
         positions: &[f64],
@@ -60,6 +63,10 @@ impl Curves {
         distances: Vec<f64>,
         values: &[f64],
         spacing: f64,
+        #[wasm_bindgen(
+            unchecked_param_type = "((triangles: Uint32Array, weights: Float64Array) => Float64Array | undefined) | undefined"
+        )]
+        ask: &JsValue,
     ) -> Result<Self> {
         let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
         let field = Field::new(positions, triangles.as_chunks().0.to_vec(), distances)?;
@@ -67,8 +74,19 @@ impl Curves {
             [] => Levels::spaced(spacing, field.largest())?,
             values => Levels::at(values)?,
         };
+        let Refined { field, is_true } = match ask.dyn_ref::<Function>() {
+            Some(ask) => field.refined(&levels, |places| distances_at(ask, places))?,
+            None => Refined { field, is_true: false },
+        };
         let isolines = Isolines::trace(&field, &levels);
-        Ok(Self { field, levels, isolines, left_out: Vec::new() })
+        Ok(Self { field, levels, isolines, is_true, left_out: Vec::new() })
+    }
+
+    /// Whether lengths are right to a thousandth: isolines follow the distance itself, and are no chords of triangles.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn is_true(&self) -> bool {
+        self.is_true
     }
 
     /// The isolines, by value.
@@ -111,7 +129,7 @@ impl Curves {
             "strips.obj" => write::strips_obj(&strips()?, unit),
             "unrolled.svg" | "unrolled.dxf" | "unrolled.pdf" => {
                 let strips = strips()?;
-                let sheet = Sheet::unroll(&strips)?;
+                let sheet = Sheet::unroll(&self.field, &strips)?;
                 self.left_out = sheet.strips_left_out().into_iter().map(|strip| strips.bounds(strip)).collect();
                 match kind {
                     "unrolled.svg" => write::sheet_svg(&sheet, &strips, unit),
@@ -153,6 +171,15 @@ impl Curves {
         }
         Ok(write::pdf(&self.isolines, &self.field, &view, unit.ok_or_else(without_unit)?))
     }
+}
+
+/// The distances at places, as JavaScript gives them; none where it gives none.
+fn distances_at(ask: &Function, places: &Places) -> Result<Option<Vec<f64>>> {
+    let triangles = Uint32Array::from(places.triangles.as_slice());
+    let weights = Float64Array::from(places.weights.as_flattened());
+    let answer = ask.call2(&JsValue::NULL, &triangles.into(), &weights.into());
+    let answer = answer.map_err(|_| Failure::misuse("distances at places could not be had"))?;
+    Ok(answer.dyn_ref::<Float64Array>().map(Float64Array::to_vec))
 }
 
 /// A PDF is at true scale.

@@ -27,8 +27,31 @@ const loaded = moduleOnDemand(() => import('../../wasm/curves/heatwalk_curves.js
 /** The isolines that were traced last. */
 let traced: curves.Curves | undefined;
 
-/** Traces isolines of the last field on the surface as it is shown, all in a unit. */
-async function trace(solver: wasm.Solver, { values, spacing }: IsolineWish, unit: LengthUnit): Promise<curves.Curves> {
+/** Milliseconds in which isolines are made to follow the distance itself. */
+const MOST_TIME = 2000;
+
+/** The distances at places, in a unit; nothing where they are not known, and when there is no more time. */
+function distancesAt(
+  solver: wasm.Solver,
+  unit: LengthUnit,
+): (faces: Uint32Array, weights: Float64Array) => Float64Array | undefined {
+  const end = performance.now() + MOST_TIME;
+  return (faces, weights) => {
+    const found = performance.now() < end ? solver.exact_distances_in(faces, weights) : undefined;
+    return found && scaled(found, unit);
+  };
+}
+
+/**
+ * Traces isolines of the last field on the surface as it is shown, all in a unit: along the distance itself where that is exact, or as
+ * chords of triangles.
+ */
+async function trace(
+  solver: wasm.Solver,
+  { values, spacing }: IsolineWish,
+  unit: LengthUnit,
+  alongDistance: boolean,
+): Promise<curves.Curves> {
   const { Curves } = await loaded();
   traced?.free();
   traced = undefined;
@@ -39,6 +62,7 @@ async function trace(solver: wasm.Solver, { values, spacing }: IsolineWish, unit
     scaled(solver.distances(), unit),
     levels,
     typed(spacing, unit),
+    alongDistance ? distancesAt(solver, unit) : undefined,
   );
   return traced;
 }
@@ -52,7 +76,7 @@ async function cutBy(solver: wasm.Solver, { normal, offset }: Plane, unit: Lengt
     const vertex = Math.floor(index / 3);
     heights[vertex] = (heights[vertex] ?? 0) + (normal[index % 3] ?? 0) * value;
   });
-  return new Curves(positions, solver.faces(), heights, Float64Array.of(0), 0);
+  return new Curves(positions, solver.faces(), heights, Float64Array.of(0), 0, undefined);
 }
 
 /** #segments × 2 × 3, ends of the segments of all curves in which a plane cuts the surface, one curve after another, as they are drawn. */
@@ -76,9 +100,18 @@ function scaled(lengths: Float64Array, { scale }: LengthUnit): Float64Array {
   return scale === 1 ? lengths : lengths.map((length) => scale * length);
 }
 
-export async function isolines(solver: wasm.Solver, wish: IsolineWish, { transform }: ShownAs): Promise<Isolines> {
-  const found = await trace(solver, wish, MODEL);
-  return { rows: found.rows() as IsolineRow[], ends: found.ends(transform) };
+/** The ends of all segments of isolines, as they are drawn. */
+export async function isolineEnds(
+  solver: wasm.Solver,
+  wish: IsolineWish,
+  { transform }: ShownAs,
+): Promise<Float32Array> {
+  return (await trace(solver, wish, MODEL, false)).ends(transform);
+}
+
+export async function isolines(solver: wasm.Solver, wish: IsolineWish): Promise<Isolines> {
+  const found = await trace(solver, wish, MODEL, true);
+  return { rows: found.rows() as IsolineRow[], isTrue: found.is_true };
 }
 
 export async function curveFile(
@@ -87,7 +120,7 @@ export async function curveFile(
   { kind, towardEye, unit }: CurveFile,
   { transform }: ShownAs,
 ): Promise<SavedCurves> {
-  const found = await trace(solver, wish, unit);
+  const found = await trace(solver, wish, unit, true);
   const { symbol } = unit;
   const bytes =
     kind === 'svg' || kind === 'pdf'

@@ -255,6 +255,10 @@ export const PAGE: Texts = {
     '{0} valeurs, c’est trop ; donnez-en {1} au plus, ou un pas.',
   'A spacing of 0 has no end of isolines. Give a larger one.':
     'Un pas de 0 donne des isolignes sans fin. Donnez-en un plus grand.',
+  'A spacing of {0} is not below the largest distance, {1}. Give a smaller one.':
+    'Un pas de {0} n’est pas inférieur à la plus grande distance, {1}. Donnez-en un plus petit.',
+  '{0} is beyond the largest distance, {1}. Give smaller values.':
+    '{0} dépasse la plus grande distance, {1}. Donnez des valeurs plus petites.',
   'The preset of this link does not exist; the first preset is shown.':
     'Le préréglage de ce lien n’existe pas ; le premier est montré.',
   'This link was made by another version of the page; some of it may be ignored.':

@@ -6,7 +6,7 @@ import type { Engine } from '../../solver/engine';
 import type { Session } from '../../session/session';
 import { commandLines, type Measured, pythonLines } from '../../state/reproduce';
 import type { MeshReference, Overlay } from '../../state/scene';
-import { isolinesText, parseIsolines } from '../../state/isolines';
+import { isolinesText, parseIsolines, withinReach } from '../../state/isolines';
 import { rustLines } from '../../state/rust';
 import { vectorsIn } from '../../state/vector';
 import { inModel, isKnown, isSameUnit, type LengthUnit, MODEL, told, toldArea, unitOf, unitOfFile } from '../../length';
@@ -123,7 +123,8 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   const wish = () => {
     // The typed text, not the scene, says what cannot be read.
     parseIsolines(plainNumbers(at.value), shownUnit(session));
-    return isolineWish(session);
+    const largest = session.shown.value?.answer.field?.maxDistance ?? inModel(0, MODEL);
+    return withinReach(isolineWish(session), largest, shownUnit(session));
   };
   at.addEventListener('input', () => {
     try {
@@ -151,9 +152,12 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   };
   show();
   const measure = async () => {
+    table.replaceChildren();
     const isolines = await measured(session).queries.isolines(wish());
     table.replaceChildren(tableOf(isolines, shownUnit(session)));
-    return t('Curves are straight within triangles: short of the true ones, the more the larger the triangles are.');
+    return isolines.isTrue
+      ? t('Curves follow the exact distance; lengths are right to a thousandth.')
+      : t('Curves are straight within triangles: short of the true ones, the more the larger the triangles are.');
   };
   let [kind] = CURVES[0];
   const file = select(t('File'), CURVES, (value) => (kind = value));
@@ -188,7 +192,13 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
 
 /** Strips that are not in a file. */
 function leftOutWords(session: Session, strips: SavedCurves['leftOut'], unit: LengthUnit): Words {
-  const length = (value: number) => lengthWords(inModel(value, unit), shownUnit(session));
+  let { assumed } = shownUnit(session);
+  const length = (value: number) => {
+    const words = lengthWords(inModel(value, unit), { ...shownUnit(session), assumed });
+    // Once is enough.
+    assumed = false;
+    return words;
+  };
   const words = strips.map(([from, to]) => {
     if (from === null) return t`below ${length(to ?? 0)}`;
     return to === null ? t`beyond ${length(from)}` : t`from ${length(from)} to ${length(to)}`;

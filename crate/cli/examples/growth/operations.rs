@@ -131,7 +131,7 @@ pub const OPERATIONS: [(&str, Prepare); 21] = [
         does(move || {
             let strips = Strips::cut(&field, &levels)?;
             // Those of curved surfaces are refused.
-            anyhow::Ok(Sheet::unroll(&strips).ok().map(|sheet| write::sheet_dxf(&sheet, &strips, None)))
+            anyhow::Ok(Sheet::unroll(&field, &strips).ok().map(|sheet| write::sheet_dxf(&sheet, &strips, None)))
         })
     }),
     ("fill", |soup| {

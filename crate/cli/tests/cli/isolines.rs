@@ -1,5 +1,6 @@
 //! `heatwalk isolines`: what it tells, and files that the readers of this project read back.
 
+use std::f64::consts::PI;
 use std::fs;
 
 use heatwalk::Surface;
@@ -31,6 +32,25 @@ fn isolines_tells_values_lengths_areas_and_how_many_are_closed() {
     assert_eq!((numbers(&given, "curves"), numbers(&given, "closed")), (vec![1.0, 0.0], vec![1.0, 0.0]));
     let words = succeed(&folder, &[&line[..], &["--count", "1"]].concat());
     assert!(words.contains("1 curves, 0 closed"), "{words}");
+}
+
+#[test]
+fn isolines_of_exact_distances_are_curves_and_others_chords() {
+    let folder = folder("isolines_exact");
+    // A quarter of a circle around a corner of the unit square.
+    let of = |method: &[&str]| {
+        let corner = ["isolines", "flat.ply", "--source", "0", "--values", "0.5", "--method"];
+        let told = json(&folder, &[&corner[..], method].concat());
+        let length = numbers(&told, "length")[0] / (0.25 * PI);
+        let area = numbers(&told, "enclosed_area")[0] / (PI / 16.0);
+        (told["curves"].as_str().unwrap().to_owned(), (length - 1.0).abs().max((area - 1.0).abs()))
+    };
+    let (words, error) = of(&["exact"]);
+    assert_eq!(words, "exact to 0.001 of the length");
+    assert!(error < 1e-3, "{error}");
+    let (words, error) = of(&["heat", "--near", "0"]);
+    assert_eq!(words, "chords of triangles");
+    assert!(error > 1e-3, "{error}");
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! The last field as it was found, for files: in double precision, over welded vertices.
 
-use heatwalk::InputVertex;
+use std::sync::Arc;
+
+use heatwalk::{FaceId, InputVertex, Place};
 use heatwalk_bindings::Result;
 use js_sys::{Float64Array, Uint32Array};
 use wasm_bindgen::prelude::*;
@@ -25,6 +27,25 @@ impl Solver {
     pub fn distances(&self) -> Result<Float64Array> {
         let values: Vec<f64> = self.solved()?.distance().values.iter().copied().collect();
         Ok(values.as_slice().into())
+    }
+
+    /// The last field at places of the surface, in the file's unit: `#P` faces, and `#P × 3` weights of their corners; none where not all
+    /// of it is exact, where costs differ, and while the surface is shown in another pose than it was measured in.
+    ///
+    /// # Errors
+    /// For a face that is not there, or weights out of range.
+    pub fn exact_distances_in(&mut self, faces: &[u32], weights: &[f64]) -> Result<Option<Vec<f64>>> {
+        let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
+        if !Arc::ptr_eq(self.solver.surface(), &self.shown) {
+            return Ok(None);
+        }
+        let distances = match self.solver.place_distances(solved.solution.answer()) {
+            Err(heatwalk::Error::NotExact) => None,
+            distances => distances?,
+        };
+        let Some(distances) = distances else { return Ok(None) };
+        let place = |(&face, &weights): (&u32, &[f64; 3])| distances.at(Place::Face { face: FaceId(face), weights });
+        Ok(Some(faces.iter().zip(weights.as_chunks().0).map(place).collect::<heatwalk::Result<_>>()?))
     }
 
     /// `#P × 2`, points of the path that was traced last: the length up to each, and the last field there, both in the file's

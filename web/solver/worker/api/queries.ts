@@ -141,9 +141,14 @@ export function pathProfile(): Float64Array | null {
   return openSurface().path_profile() ?? null;
 }
 
-/** Isolines of the last field. */
+/** Isolines of the last field, as chords of triangles: #segments × 2 × 3, the ends of all segments, as they are drawn. */
+export async function isolineEnds(wish: IsolineWish): Promise<Float32Array> {
+  return (await curves()).isolineEnds(openSurface(), wish, openMesh().shownAs);
+}
+
+/** Isolines of the last field, along the distance itself where that is exact. */
 export async function isolines(wish: IsolineWish): Promise<Isolines> {
-  return (await curves()).isolines(openSurface(), wish, openMesh().shownAs);
+  return (await curves()).isolines(openSurface(), wish);
 }
 
 /** A file of isolines of the last field. */

@@ -1,4 +1,4 @@
-//! Isolines, strips and unrolled shapes against what is known of planes, spheres and cylinders.
+//! Isolines, strips, sheets and their files.
 
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
@@ -7,43 +7,12 @@ use glam::DVec3;
 use heatwalk_curves::write::View;
 use heatwalk_curves::{Error, Field, Isolines, Levels, Sheet, Strips, write};
 use heatwalk_shapes as shapes;
-use heatwalk_surface::{Soup, Surface, Unit};
+use heatwalk_surface::{Soup, Unit};
 
-/// A welded shape with a value at each vertex.
-fn field(soup: &Soup, distance: impl Fn(DVec3) -> f64) -> Field {
-    let surface = Surface::build(soup).unwrap();
-    let triangles = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
-    let distances = surface.positions().iter().map(|&position| distance(position)).collect();
-    Field::new(surface.positions().iter().copied().collect(), triangles, distances).unwrap()
-}
+use super::{area, field, plane_area, tube};
 
 fn trace(field: &Field, values: &[f64]) -> Isolines {
     Isolines::trace(field, &Levels::at(values).unwrap())
-}
-
-fn area(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
-    let of = |&[a, b, c]: &[u32; 3]| {
-        let [a, b, c] = [a, b, c].map(|corner| positions[corner as usize]);
-        0.5 * (b - a).cross(c - a).length()
-    };
-    triangles.iter().map(of).sum()
-}
-
-/// An open tube of radius 1 around Z, from 0 to `height`, triangulated; its facets are flat.
-fn tube(around: u32, rings: u32, height: f64) -> Soup {
-    let place = |ring: u32, index: u32| {
-        let angle = TAU * f64::from(index) / f64::from(around);
-        DVec3::new(angle.cos(), angle.sin(), height * f64::from(ring) / f64::from(rings))
-    };
-    let positions = (0..=rings).flat_map(|ring| (0..around).map(move |index| place(ring, index))).collect();
-    let square = |ring: u32, index: u32| {
-        let next = (index + 1) % around;
-        let [a, b, c, d] =
-            [ring * around + index, ring * around + next, (ring + 1) * around + next, (ring + 1) * around + index];
-        [[a, b, c], [a, c, d]]
-    };
-    let triangles = (0..rings).flat_map(|ring| (0..around).flat_map(move |index| square(ring, index))).collect();
-    Soup::single("tube", positions, triangles)
 }
 
 fn triangle(distances: [f64; 3]) -> Field {
@@ -165,7 +134,7 @@ fn a_ring_around_a_tube_unrolls_to_a_rectangle() {
     let (around, height) = (24, 3.0);
     let field = field(&tube(around, 9, height), |position| position.z);
     let strips = Strips::cut(&field, &Levels::at(&[0.7, 1.9]).unwrap()).unwrap();
-    let sheet = Sheet::unroll(&strips).unwrap();
+    let sheet = Sheet::unroll(&field, &strips).unwrap();
     assert_eq!(sheet.planes.len(), 3);
     let girth = f64::from(around) * 2.0 * (PI / f64::from(around)).sin();
     for (plane, width) in sheet.planes.iter().zip([0.7, 1.2, 1.1]) {
@@ -182,18 +151,11 @@ fn a_ring_around_a_tube_unrolls_to_a_rectangle() {
 fn what_is_curved_is_refused_with_its_largest_defect() {
     let field = field(&shapes::icosphere(2), |position| position.normalize().z.acos());
     let strips = Strips::cut(&field, &Levels::at(&[1.0]).unwrap()).unwrap();
-    let Err(Error::NotDevelopable(refused)) = Sheet::unroll(&strips) else { panic!("a cap of a sphere is curved") };
+    let Err(Error::NotDevelopable(refused)) = Sheet::unroll(&field, &strips) else {
+        panic!("a cap of a sphere is curved")
+    };
     assert!(refused.largest > 0.05 && refused.total >= refused.largest);
     assert!(refused.to_string().contains(&format!("{:.4} rad at vertex {}", refused.largest, refused.vertex)));
-}
-
-/// The area of a plane shape, without its holes.
-fn plane_area(loops: &[Vec<glam::DVec2>]) -> f64 {
-    let of = |outline: &Vec<glam::DVec2>| -> f64 {
-        let next = |index: usize| outline[(index + 1) % outline.len()];
-        0.5 * outline.iter().enumerate().map(|(index, point)| point.perp_dot(next(index))).sum::<f64>()
-    };
-    loops.iter().map(of).sum()
 }
 
 #[test]
@@ -214,7 +176,7 @@ fn a_strip_whose_source_is_the_tip_of_a_cone_is_cut_open_to_its_rim() {
     let soup = Soup::single("cone", positions, (0..around).flat_map(facet).collect());
     let field = field(&soup, |position| 0.5 + slant * position.truncate().length());
     let strips = Strips::cut(&field, &Levels::at(&[0.5 + 0.8 * slant]).unwrap()).unwrap();
-    let sheet = Sheet::unroll(&strips).unwrap();
+    let sheet = Sheet::unroll(&field, &strips).unwrap();
     assert!(sheet.left_out.is_empty());
     assert_eq!(sheet.planes.iter().map(|plane| (plane.strip, plane.loops.len())).collect::<Vec<_>>(), [(0, 1), (1, 1)]);
     for plane in &sheet.planes {
@@ -227,7 +189,7 @@ fn a_strip_whose_source_is_the_tip_of_a_cone_is_cut_open_to_its_rim() {
 fn what_is_curved_is_left_out_of_the_sheet_and_named() {
     let field = field(&shapes::icosphere(2), |position| position.normalize().z.acos());
     let strips = Strips::cut(&field, &Levels::at(&[1.0, 1.01]).unwrap()).unwrap();
-    let sheet = Sheet::unroll(&strips).unwrap();
+    let sheet = Sheet::unroll(&field, &strips).unwrap();
     assert!(!sheet.planes.is_empty() && sheet.planes.iter().all(|plane| plane.strip == 1));
     assert_eq!(sheet.strips_left_out(), [0, 2]);
     let drawn: f64 = sheet.planes.iter().map(|plane| plane_area(&plane.loops)).sum();
@@ -294,7 +256,7 @@ fn a_pdf_is_at_true_scale_with_a_ruler() {
     assert!((page[0] - 120.0).abs() < 1e-9 && (length(&lines[12]) - 1.0).abs() < 1e-3);
 
     let strips = Strips::cut(&field, &Levels::at(&[0.5]).unwrap()).unwrap();
-    let sheet = Sheet::unroll(&strips).unwrap();
+    let sheet = Sheet::unroll(&field, &strips).unwrap();
     let (_, _, lines) = read_pdf(&write::sheet_pdf(&sheet, Unit::Meter));
     let around: f64 = lines[12..].iter().map(|line| length(&[&line[..], &line[..1]].concat())).sum();
     assert!((around - 2.0 * 3000.0).abs() < 1e-2, "two rectangles of 0.5 by 1: {around}");
@@ -376,7 +338,7 @@ fn files_say_the_unit_of_their_lengths() {
     let field = one_behind_the_other();
     let isolines = trace(&field, &[1.1]);
     let strips = Strips::cut(&field, &Levels::at(&[1.1]).unwrap()).unwrap();
-    let sheet = Sheet::unroll(&strips).unwrap();
+    let sheet = Sheet::unroll(&field, &strips).unwrap();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
 
     let inches = Some(Unit::Inch);
