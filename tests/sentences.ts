@@ -11,7 +11,7 @@ const SILENT = /tests(\.rs$|\/)|\/write(\.rs$|\/)/;
 const TOKEN = /\/\/[^\n]*|b?r(#*)".*?"\1|b"(?:[^"\\]|\\.)*"|"((?:[^"\\]|\\.)*)"|'(?:\\[^']+|[^'\\])'/gs;
 /** What stands before a literal that no user reads: that of an attribute, of a broken invariant, of types for the page. */
 const UNSAID =
-  /(#!?\[(?!error\()[^\]\n]*|,\s*reason = |(expect|panic!|unreachable!)\(\s*|assert(_\w+)?!\([^;]*|typescript_custom_section\)\]\s*const \w+: &str = )$/;
+  /(#!?\[(?!error\()[^\]\n]*|,\s*reason = |unchecked_\w+_type = |(expect|panic!|unreachable!)\(\s*|assert(_\w+)?!\([^;]*|typescript_custom_section\)\]\s*const \w+: &str = )$/;
 /** Letters that `UNSAID` looks at. */
 const NEAR = 400;
 

@@ -256,7 +256,7 @@ export type IsolineRow = WithLengths<curves.IsolineRow, 'value' | 'length', 'are
 /** Isolines of a field. */
 export interface Isolines {
   rows: readonly IsolineRow[];
-  /** Whether they follow the distance itself, with lengths that are right to a thousandth; else they are chords of triangles. */
+  /** Whether they follow the distance itself, with lengths that are right to about a thousandth; else they are chords of triangles. */
   isTrue: boolean;
 }
 

@@ -82,7 +82,7 @@ impl Curves {
         Ok(Self { field, levels, isolines, is_true, left_out: Vec::new() })
     }
 
-    /// Whether lengths are right to a thousandth: isolines follow the distance itself, and are no chords of triangles.
+    /// Whether lengths are right to about a thousandth: isolines follow the distance itself, and are no chords of triangles.
     #[wasm_bindgen(getter)]
     #[must_use]
     pub fn is_true(&self) -> bool {

@@ -115,7 +115,7 @@ export const PANEL: Texts = {
   Crowd: 'Foule',
   none: 'aucun',
   '{0} of cost': '{0} de coût',
-  'Curves follow the exact distance; lengths are right to a thousandth.':
+  'Curves follow the exact distance, their lengths to about a thousandth.':
     'Les courbes suivent la distance exacte ; les longueurs sont justes à un millième près.',
   'Curves are straight within triangles: short of the true ones, the more the larger the triangles are.':
     'Les courbes sont droites dans les triangles : plus courtes que les vraies, et ce d’autant plus que les triangles sont grands.',

@@ -182,6 +182,7 @@ export const REPORTS: Texts = {
     'Cette question est pour des tétraèdres, et le maillage est une surface.',
   'Only a surface can be asked this, and the mesh is one of tetrahedra.':
     'Cette question est pour une surface, et le maillage est fait de tétraèdres.',
+  'distances at places could not be had': 'les distances en ces endroits n’ont pas pu être obtenues',
   'line {0}': 'ligne {0}',
   'byte {0}': 'octet {0}',
   '{0}, {1}: {2}': '{0}, {1} : {2}',

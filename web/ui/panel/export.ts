@@ -156,7 +156,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
     const isolines = await measured(session).queries.isolines(wish());
     table.replaceChildren(tableOf(isolines, shownUnit(session)));
     return isolines.isTrue
-      ? t('Curves follow the exact distance; lengths are right to a thousandth.')
+      ? t('Curves follow the exact distance, their lengths to about a thousandth.')
       : t('Curves are straight within triangles: short of the true ones, the more the larger the triangles are.');
   };
   let [kind] = CURVES[0];
