@@ -12,7 +12,6 @@ use glam::DVec3;
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::SplitMix64;
 
-use crate::mesh::six_volumes;
 use crate::soup::TetSoup;
 use icosahedron::{faces_of, icosahedron};
 
@@ -194,7 +193,7 @@ pub fn names() -> &'static [&'static str] {
 
 /// A mesh at its default resolution, 30,000 to 90,000 tetrahedra; none for a name that is not in [`names`].
 pub fn by_name(name: &str) -> Option<TetSoup> {
-    Some(upright(match name {
+    Some(match name {
         "cube" => cube(20, 0.2),
         "ball" => ball(14, 0.2),
         "pipe" => pipe(0.33, 5, 0.1),
@@ -202,16 +201,5 @@ pub fn by_name(name: &str) -> Option<TetSoup> {
         "cave" => pillared_cave(0.5, 0.28, 12, 0.1),
         "pierced_cube" => pierced_cube(0.4, 8, 0.15),
         _ => return None,
-    }))
-}
-
-/// Turns the tetrahedra that are inside out.
-fn upright(mut soup: TetSoup) -> TetSoup {
-    let positions = &soup.positions;
-    for corners in &mut soup.tetrahedra {
-        if six_volumes(corners.map(|vertex| positions[vertex as usize])) < 0.0 {
-            corners.swap(1, 2);
-        }
-    }
-    soup
+    })
 }
