@@ -152,11 +152,10 @@ followLaunches(openFiles);
 
 const head = heading(session, { open: menu, search, share: address.kiosk ? null : () => panel?.show('share'), help });
 const bar = toolbar(session, tool, over, address.kiosk ? null : workspace, pinned, () => cutOpen(session, opener));
-const foot = h('section', { class: 'foot', 'aria-label': t('Tools') }, hint.element, bar);
 page.append(
   comparing.layer,
   head,
-  foot,
+  h('section', { class: 'foot', 'aria-label': t('Tools') }, hint.element, bar),
   messages.element,
   loadingBar(session),
   handle.element,
@@ -192,7 +191,7 @@ if (!address.kiosk) {
   panel = workspacePanel(parts, workspace, pinned, first.promise);
   page.append(panel.element);
 }
-followInsets(view, { head, bar, foot, panel: panel?.element ?? null });
+followInsets(view, head, bar, panel?.element ?? null);
 overlays.follow();
 session.turntable.watch((turns, turned) => {
   if (turned && !turns) frames.cameraMoved();

@@ -13,6 +13,8 @@ export interface Notifier {
   opened(title: Words, shown: Shown, state: SceneState): void;
   /** With an `action`, which closes it. */
   notice(text: Words, action?: Action): void;
+  /** The same of the mesh on screen: it goes with that, and when there is another one. */
+  remark(text: Words, action?: Action): void;
   /** Tells which of the meshes that came together is shown, and offers the others. */
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void;
   fail(text: Words, details: string, remedy?: Action): void;

@@ -319,6 +319,9 @@ export class Opener {
       if (isPainted(request.state.ground) && !isPainted(this.#session.scene.state.ground)) {
         this.#notifier.notice(t('The ground of the link is of another mesh and was removed.'));
       }
+      if (request.state.animation.clip !== null && this.#session.scene.state.animation.clip === null) {
+        this.#notifier.notice(t('The animation of the link is not in this mesh and was left out.'));
+      }
       this.#notifier.opened(request.title, shown, this.#session.scene.state);
       done(shown);
     } catch (error) {

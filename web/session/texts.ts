@@ -24,7 +24,7 @@ export async function takeTable(
   await reported(notifier, async () => {
     if (!isNamedList(text)) return ground.paintRows(name, text);
     const { addList } = await import('./sets');
-    notifier.notice(addList(session, name, text));
+    notifier.remark(addList(session, name, text));
   });
 }
 
@@ -36,7 +36,7 @@ export async function takePasted(session: Session, notifier: Notifier, text: str
   else {
     const address = addressIn(text);
     const short = text.trim().replaceAll(/\s+/g, ' ').slice(0, TOLD_LETTERS);
-    notifier.notice(
+    notifier.remark(
       address
         ? t`This address of ${hostOf(address)} names no mesh; open it by the menu beside the name if there is one.`
         : t`What was pasted, “${short}”, is no mesh, no address of one, no link and no list of sources. Nothing has changed.`,
@@ -50,11 +50,11 @@ async function offerList(session: Session, notifier: Notifier, text: string): Pr
   const list = placeList(session, String(t('List')), text);
   // A heading says what is meant.
   if (!list.isFar || isNamedList(text)) {
-    notifier.notice(list.add());
+    notifier.remark(list.add());
     return;
   }
   const mesh = session.shown.value?.opened;
-  notifier.notice(
+  notifier.remark(
     counted(
       list.count,
       'The numbers pasted ({0} place) lie {1} away from the model. Nothing has changed.',
@@ -65,7 +65,7 @@ async function offerList(session: Session, notifier: Notifier, text: string): Pr
       name: counted(list.count, 'Add the nearest place as a source', 'Add the nearest places as sources'),
       run: () => {
         // Places of another mesh mean nothing on this one.
-        if (session.shown.value?.opened === mesh) void reported(notifier, () => notifier.notice(list.add()));
+        if (session.shown.value?.opened === mesh) void reported(notifier, () => notifier.remark(list.add()));
       },
     },
   );

@@ -69,11 +69,18 @@ impl Strips {
     /// What a strip is called in files: the distances that it lies between.
     pub fn name(&self, strip: usize) -> String {
         match self.bounds(strip) {
-            [None, Some(end)] => format!("strip_{strip}_below_{end}"),
-            [Some(start), None] => format!("strip_{strip}_above_{start}"),
-            [start, end] => format!("strip_{strip}_{}_to_{}", start.unwrap_or_default(), end.unwrap_or_default()),
+            [None, Some(end)] => format!("strip_{strip}_below_{}", written(end)),
+            [Some(start), None] => format!("strip_{strip}_above_{}", written(start)),
+            [start, end] => {
+                format!("strip_{strip}_{}_to_{}", written(start.unwrap_or_default()), written(end.unwrap_or_default()))
+            }
         }
     }
+}
+
+/// A value as it was meant: multiples of a spacing have digits of rounding at the end.
+fn written(value: f64) -> String {
+    format!("{value:.11e}").parse::<f64>().unwrap_or(value).to_string()
 }
 
 /// A vertex on the way around a triangle, and where its distance is among the levels: `2 k` in strip `k`, which is between levels

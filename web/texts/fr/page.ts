@@ -348,6 +348,8 @@ export const PAGE: Texts = {
   'Open the mesh again': 'Rouvrir le maillage',
   'Some sources of the link are not on this mesh and were removed.':
     'Certaines sources du lien ne sont pas sur ce maillage et ont été enlevées.',
+  'The animation of the link is not in this mesh and was left out.':
+    'L’animation du lien n’est pas dans ce maillage et a été laissée de côté.',
   'The ground of the link is of another mesh and was removed.':
     'Le terrain du lien est celui d’un autre maillage et a été enlevé.',
   'Simplify to {0} triangles': 'Simplifier à {0} triangles',

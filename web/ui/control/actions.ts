@@ -144,6 +144,7 @@ function quiet(notifier: Notifier, failed: (reason: Words) => void): Notifier {
   return {
     opened: (title, shown, state) => notifier.opened(title, shown, state),
     notice: (text, action) => notifier.notice(text, action),
+    remark: (text, action) => notifier.remark(text, action),
     choice: (shown, meshes, open) => notifier.choice(shown, meshes, open),
     fail: failed,
     askForFile: (name) => notifier.askForFile(name),

@@ -41,9 +41,8 @@ export function hints(session: Session): { element: HTMLElement; begin: () => vo
     { class: 'small', 'aria-label': t('Show no more hints'), onclick: () => turn(HINTS.length) },
     '×',
   );
+  const element = h('div', { class: 'hint', hidden: true }, text, close);
   let known = Number(remembered(MEMORY) ?? 0);
-  // Its room is kept from the start.
-  const element = h('div', { class: 'hint', 'data-waits': true, hidden: known >= HINTS.length }, text, close);
   const show = () => {
     const hint = HINTS[known];
     element.hidden = hint === undefined;
@@ -57,7 +56,6 @@ export function hints(session: Session): { element: HTMLElement; begin: () => vo
   return {
     element,
     begin: () => {
-      delete element.dataset.waits;
       show();
       const end = session.scene.subscribe((state, previous) => {
         // Another mesh brings places of its own.

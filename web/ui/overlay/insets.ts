@@ -2,11 +2,10 @@
 import type { View } from '../../view/view';
 import { narrow } from '../panel/panel';
 
-/** `foot`: the tool bar below the hint. When the hint goes, the model stays where it is. */
-export function followInsets(
-  view: View,
-  { head, bar, foot, panel }: Record<'head' | 'bar' | 'foot', HTMLElement> & { panel: HTMLElement | null },
-): void {
+/** What a hint takes above the tools, whether there is one or not: the model stays where it is when it goes. CSS pixels. */
+const HINT = 38;
+
+export function followInsets(view: View, head: HTMLElement, bar: HTMLElement, panel: HTMLElement | null): void {
   const update = () => {
     const stage = view.stage.getBoundingClientRect();
     const tools = bar.getBoundingClientRect();
@@ -17,7 +16,7 @@ export function followInsets(
       view.insets = { left: tools.right - stage.left, top, right: 0, bottom };
     } else {
       const right = side && panel?.dataset.open === 'true' ? stage.right - side.left : 0;
-      view.insets = { left: 0, top, right, bottom: stage.bottom - foot.getBoundingClientRect().top };
+      view.insets = { left: 0, top, right, bottom: stage.bottom - tools.top + HINT };
     }
   };
   const observer = new ResizeObserver(update);

@@ -29,6 +29,7 @@ export class Messages implements Notifier {
   question: (() => Promise<HTMLElement>) | null = null;
   #summary: HTMLElement | null = null;
   #absent: HTMLElement | null = null;
+  #remark: HTMLElement | null = null;
   #failed: HTMLElement | null = null;
   #asked: HTMLElement | null = null;
   #chosen: HTMLElement | null = null;
@@ -41,7 +42,7 @@ export class Messages implements Notifier {
 
   /** Says what was done; replaces the message about the mesh before, and the last error. */
   opened(title: Words, shown: Shown, state: SceneState): void {
-    for (const former of [this.#summary, this.#absent, this.#failed, this.#chosen]) former?.remove();
+    for (const former of [this.#summary, this.#absent, this.#failed, this.#chosen, this.#remark]) former?.remove();
     if (this.sumsUp) this.#sumUp(title, shown, state);
     const absent = absentSentence(shown.opened);
     this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
@@ -60,6 +61,15 @@ export class Messages implements Notifier {
   }
 
   notice(text: Words, action?: Action): void {
+    this.#notice(text, action);
+  }
+
+  remark(text: Words, action?: Action): void {
+    this.#remark?.remove();
+    this.#remark = this.#notice(text, action);
+  }
+
+  #notice(text: Words, action?: Action): HTMLElement {
     const former = [...this.#polite.children].find((one) => one.querySelector('p')?.textContent === String(text));
     former?.remove();
     const run = () => {
@@ -69,6 +79,7 @@ export class Messages implements Notifier {
     const message = this.#say(this.#polite, 'notice', text, action ? [{ ...action, run }] : []);
     const notices = this.#polite.querySelectorAll('.notice');
     if (notices.length > MOST_NOTICES) notices[0]?.remove();
+    return message;
   }
 
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void {
