@@ -179,6 +179,8 @@ test('a file is pasted; text that is nothing is told as such, and numbers far fr
   ] as const) {
     await paste(page, { text });
     await expect(page.getByText(told)).toBeVisible();
+    // One remark in the place of the one before.
+    await expect(page.locator('.message.notice')).toHaveCount(1);
   }
   // Nor is what is pasted into a field, and blanks are nothing.
   await paste(page, { text: `${HOST}/ball.off` }, '.sources input');
@@ -193,6 +195,7 @@ test('a file is pasted; text that is nothing is told as such, and numbers far fr
 
   await paste(page, { name: 'pasted.off', content: off(BALL) });
   await expect.poll(async () => (await heatwalk.mesh()).name).toBe('pasted.off');
+  await expect(page.locator('.message.notice')).toHaveCount(0);
   // What lies on the model is added at once; one that is meant says so by its heading.
   await paste(page, { text: '0 1 0' });
   await expect.poll(async () => (await heatwalk.scene()).sources).toHaveLength(2);
