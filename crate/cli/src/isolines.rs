@@ -61,7 +61,7 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     for (name, value) in facts(&answer, &values, &options) {
         report.push(name, value);
     }
-    let exact = format!("exact to {TRUE_TO} of the length");
+    let exact = format!("exact to about {TRUE_TO} of the length");
     report.push("curves", if is_true { exact } else { "chords of triangles".to_owned() });
     if !question.mesh.json {
         report.push("isolines", isolines.isolines.len());

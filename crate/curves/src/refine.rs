@@ -15,7 +15,7 @@ use heatwalk_surface::triangle;
 use crate::field::Field;
 use crate::levels::Levels;
 
-/// By how much an isoline's length may be off, as a share of it.
+/// By how much an isoline's length may be off, as a share of it: an estimate from distances that were asked for, and no bound.
 pub const TRUE_TO: f64 = 1e-3;
 
 /// Divisions one after another, at most: of edges as long as the model, a millionth is left.

@@ -46,7 +46,7 @@ fn isolines_of_exact_distances_are_curves_and_others_chords() {
         (told["curves"].as_str().unwrap().to_owned(), (length - 1.0).abs().max((area - 1.0).abs()))
     };
     let (words, error) = of(&["exact"]);
-    assert_eq!(words, "exact to 0.001 of the length");
+    assert_eq!(words, "exact to about 0.001 of the length");
     assert!(error < 1e-3, "{error}");
     let (words, error) = of(&["heat", "--near", "0"]);
     assert_eq!(words, "chords of triangles");
