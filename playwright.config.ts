@@ -13,12 +13,21 @@ const chosen = isSlow ? { grep: SLOW } : { grepInvert: SLOW };
 
 /** What is compared with reference images, which one rasterizer has drawn. */
 const PICTURES = /pictures\.spec\.ts$/;
+/** What is tried in Chromium as people have it. */
+const WHOLE = /(firstvisit|offline)\.spec\.ts$/;
 /** What is looked at on both backends, less the tests in it of what the page does, which is the same on either. */
 const DRAWN = /(compare|display|firstvisit|lost|opening|pictures|renderers)\.spec\.ts$/;
 
-const browser = (args: readonly string[]) => ({
+const CHROMIUM = process.env['CHROMIUM'] ?? '/usr/bin/chromium';
+/** Chromium without windows where it is there, in which the page takes four fifths of the time. */
+const SHELL = process.env['CHROMIUM_SHELL'] || CHROMIUM;
+
+/** Canvas and page are put together by the processor, which takes a seventh of the time away. */
+const FAST = hasMesa() ? [...MESA, '--disable-gpu-compositing'] : WEBGL;
+
+const browser = (executablePath: string, args: readonly string[]) => ({
   launchOptions: {
-    executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
+    executablePath,
     args: [...ALWAYS, ...args],
     ignoreDefaultArgs: ['--disable-gpu'],
     // Mesa draws by the processor wherever the tests run.
@@ -37,8 +46,8 @@ export default defineConfig({
   use: {
     baseURL: `http://localhost:${PORT}/`,
     viewport: { width: 1100, height: 720 },
-    // Where details of pictures matter, a test asks for all pixels.
-    deviceScaleFactor: 0.5,
+    // Where details of pictures matter, a test asks for more pixels.
+    deviceScaleFactor: 0.25,
     screenshot: 'only-on-failure',
     // What a service worker keeps costs time; where it is tested it is allowed.
     serviceWorkers: 'block',
@@ -52,19 +61,19 @@ export default defineConfig({
     {
       name: 'webgl',
       testDir: 'tests/browser',
-      testIgnore: PICTURES,
-      // Canvas and page are put together by the processor, which takes a seventh of the time away.
-      use: browser(hasMesa() ? [...MESA, '--disable-gpu-compositing'] : WEBGL),
+      testIgnore: [PICTURES, WHOLE],
+      use: browser(SHELL, FAST),
       ...chosen,
     },
-    { name: 'pictures', testDir: 'tests/browser', testMatch: PICTURES, use: browser(WEBGL), ...chosen },
+    { name: 'chromium', testDir: 'tests/browser', testMatch: WHOLE, use: browser(CHROMIUM, FAST), ...chosen },
+    { name: 'pictures', testDir: 'tests/browser', testMatch: PICTURES, use: browser(CHROMIUM, WEBGL), ...chosen },
     // Driven by other means than the rest.
     { name: 'others', testDir: 'tests/others', workers: 1, ...chosen },
     {
       name: 'webgpu',
       testDir: 'tests/browser',
       testMatch: DRAWN,
-      use: browser(WEBGPU),
+      use: browser(CHROMIUM, WEBGPU),
       ...chosen,
       grepInvert: isSlow ? /@page/ : [SLOW, /@page/],
     },

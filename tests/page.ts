@@ -39,12 +39,15 @@ export class HeatwalkPage {
   async open(fragment = ''): Promise<void> {
     // So that pictures do not depend on how fast this machine draws.
     const search = this.backend === 'WebGL2' ? '?resolution=full&gpu=webgl' : '?resolution=full';
-    await this.page.goto('about:blank');
-    await this.page.goto(`./${search}${fragment}`);
+    if (this.page.url() !== 'about:blank') await this.page.goto('about:blank');
+    await this.page.goto(`./${search}${fragment}`, { waitUntil: 'commit' });
     // In another language than English, modules wait for its texts.
     await this.page.waitForFunction(() => 'heatwalk' in window);
-    await this.page.evaluate(() => window.heatwalk.ready);
-    expect(await this.page.evaluate(() => window.heatwalk.backend)).toBe(this.backend);
+    const backend = await this.page.evaluate(async () => {
+      await window.heatwalk.ready;
+      return window.heatwalk.backend;
+    });
+    expect(backend).toBe(this.backend);
     await this.rest();
   }
 

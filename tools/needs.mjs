@@ -23,6 +23,11 @@ const DEBIAN = {
     why: 'the page is tested in it',
     find: () => browser('CHROMIUM', ['chromium', 'chromium-browser', 'google-chrome']),
   },
+  shell: {
+    packages: ['chromium-headless-shell'],
+    why: 'most tests of the page take less time in a Chromium without windows',
+    find: () => browser('CHROMIUM_SHELL', ['chromium-headless-shell', 'chrome-headless-shell']),
+  },
   firefox: {
     packages: ['firefox-esr', 'xvfb', 'libegl1', 'libgl1-mesa-dri'],
     why: 'the page is tested in it',
@@ -125,6 +130,11 @@ export function requireChromium() {
   return (
     found || fail(`No Chromium was found. ${remedy('chromium')} Or name one in the environment variable CHROMIUM.`)
   );
+}
+
+/** The path of a Chromium without windows for most of them; empty where they take longer in the other one. */
+export function findShell() {
+  return findOrInstall('shell') ?? '';
 }
 
 /** The path of a Firefox for the tests in it, with a virtual screen to draw on; empty where they are skipped. */

@@ -6,7 +6,7 @@
 
 import { buildModules, bundle, bundleSingle, publishModules, TESTED_FILE, TESTED_PAGE } from './bundle.mjs';
 import { lint, lintTheRest } from './checks.mjs';
-import { findFirefox, findMesa, findWebKit, hasSoftwareVulkan, prepare, requireChromium } from './needs.mjs';
+import { findFirefox, findMesa, findShell, findWebKit, hasSoftwareVulkan, prepare, requireChromium } from './needs.mjs';
 import { findReaders } from './peers.mjs';
 import { cargo, npmProgram, output, printTimes, root } from './steps.mjs';
 
@@ -18,6 +18,7 @@ const word = isSlow ? undefined : process.argv[2];
 
 prepare();
 const chromium = requireChromium();
+const shell = findShell();
 const firefox = findFirefox();
 findWebKit();
 findMesa();
@@ -27,7 +28,7 @@ const gpu = hasSoftwareVulkan() ? { HEATWALK_REQUIRE_GPU: '1' } : {};
 const all = process.env.HEATWALK_MESHES ? ['--', '--include-ignored'] : [];
 // What builds and runs the wasm modules is compiled with other features of what it builds on, and has been already.
 const most = ['--workspace', '--exclude', 'xtask', '--exclude', 'wasm-test-runner'];
-const environment = { CHROMIUM: chromium, FIREFOX: firefox, HEATWALK_PYTHON: readers };
+const environment = { CHROMIUM: chromium, CHROMIUM_SHELL: shell, FIREFOX: firefox, HEATWALK_PYTHON: readers };
 
 if (isSlow) {
   publishModules();

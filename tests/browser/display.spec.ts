@@ -5,8 +5,6 @@ import { PNG } from 'pngjs';
 import { obj, sphere } from '../fixtures';
 import { expect, type HeatwalkPage, openSection, test } from '../page';
 
-test.use({ deviceScaleFactor: 1 });
-
 /** Shares of the pixels of the model that are yellow, and blue or violet: the ends of viridis. */
 async function endsOfRamp(heatwalk: HeatwalkPage): Promise<[yellow: number, blue: number]> {
   const { data } = await heatwalk.drawing(0.5, true);
@@ -143,7 +141,8 @@ test('an image of twice the size of the window is saved', async ({ heatwalk, pag
   const download = await saving;
   expect(download.suggestedFilename()).toBe('bunny.png');
   const picture = PNG.sync.read(fs.readFileSync(await download.path()));
-  expect([picture.width, picture.height]).toEqual([2200, 1440]);
+  const pixels = await page.evaluate(() => [innerWidth, innerHeight].map((length) => length * devicePixelRatio));
+  expect([picture.width, picture.height]).toEqual(pixels.map((length) => 2 * length));
 });
 
 /** What the browser decodes of a video at shares of its length. */

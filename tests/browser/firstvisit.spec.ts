@@ -4,6 +4,8 @@ import { PNG } from 'pngjs';
 import { crossings, difference, expect, type HeatwalkPage, openSection, test } from '../page';
 import { grid, off, sphere } from '../fixtures';
 
+test.use({ deviceScaleFactor: 0.5 });
+
 /** Of the pixels: a picture that is the same but for noise of compilers, and one that has changed. */
 const [SAME, CHANGED] = [0.002, 0.01];
 const BALL = off(sphere(24));

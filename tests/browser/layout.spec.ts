@@ -162,7 +162,7 @@ test('where frames are slow, fewer pixels are drawn while something moves, and a
     globalThis.requestAnimationFrame = (callback) =>
       next(() => {
         const { width = 0, height = 0 } = document.querySelector('canvas') ?? {};
-        clock += (width * height) / 1500;
+        clock += (width * height) / 375;
         callback(clock);
       });
   });

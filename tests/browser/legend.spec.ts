@@ -5,7 +5,7 @@ import { PNG } from 'pngjs';
 import { grid, off } from '../fixtures';
 import { expect, openSection, test, difference } from '../page';
 
-test.use({ deviceScaleFactor: 1, viewport: { width: 1400, height: 900 } });
+test.use({ deviceScaleFactor: 1 });
 
 const legend = (page: Page) => page.getByRole('region', { name: 'Legend' });
 const words = (page: Page) => legend(page).getByRole('img').getAttribute('aria-label');

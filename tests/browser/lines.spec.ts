@@ -27,6 +27,7 @@ async function save({ page }: HeatwalkPage, folder: string): Promise<string> {
 /** What the page has saved and what its lines give, a value a vertex, in an empty folder that has the file of the mesh. */
 async function reproduced(heatwalk: HeatwalkPage, files: readonly (readonly [string, string | Buffer])[] = []) {
   const { page } = heatwalk;
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   await heatwalk.settled();
   const folder = await mkdtemp(join(tmpdir(), 'heatwalk-lines-'));
   for (const [name, content] of files) await writeFile(join(folder, name), content);

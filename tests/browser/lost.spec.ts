@@ -1,7 +1,5 @@
 import { crossings, expect, HeatwalkPage, test } from '../page';
 
-test.use({ deviceScaleFactor: 1 });
-
 // Only WebGL lets a page lose its context on purpose; what follows is the same on both backends.
 test('a lost graphics context is restored with the scene intact', async ({ page }) => {
   const heatwalk = new HeatwalkPage(page, 'WebGL2');

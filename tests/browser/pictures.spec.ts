@@ -9,7 +9,6 @@ import { glassGlb } from '../lit';
 import { expect, type HeatwalkPage, test } from '../page';
 import { texturedGlb } from '../textured';
 
-test.use({ deviceScaleFactor: 1 });
 // The longest tests of all come last: one core would wait for the other.
 test.describe.configure({ mode: 'parallel' });
 

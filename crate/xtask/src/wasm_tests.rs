@@ -26,6 +26,9 @@ const TESTED: [&str; 8] = [
     "heatwalk-scene",
 ];
 
+/// What the modules ask of the packages, so that all is compiled once for both.
+const FEATURES: &str = "heatwalk-model/packed";
+
 /// Programs of tests that take longest, by the folder of their crate; of the first, tests whose names have the word take as long
 /// as all others, and run apart.
 const LONGEST: [&str; 2] = ["crate/solver", "crate/volume"];
@@ -72,7 +75,8 @@ struct TestRun {
 fn test_runs(toolchain: &Toolchain, names: &[&str]) -> Result<Vec<TestRun>> {
     let mut build = cargo(toolchain, "test", QUICK_FOLDER, SOLVER.flags);
     build.args(["--profile", QUICK, "--tests", "--no-run", "--message-format", "json-render-diagnostics"]);
-    build.args(TESTED.iter().flat_map(|package| ["--package", package])).stderr(Stdio::inherit());
+    build.args(TESTED.iter().flat_map(|package| ["--package", package])).args(["--features", FEATURES]);
+    build.stderr(Stdio::inherit());
     let output = build.output().with_context(|| format!("{build:?} could not be started"))?;
     ensure!(output.status.success(), "The step above failed: {}", output.status);
     let mut runs = Vec::new();
