@@ -3,7 +3,7 @@ import './style/overlay.css';
 import './style/panel.css';
 // Last: for narrow windows, reduced motion and forced colours it overrides the others.
 import './style/windows.css';
-import { detailsOf, messageOf } from './error';
+import { detailsOf, messageOf, sentenceOf } from './error';
 import { Address } from './session/address';
 import { CrowdWalk } from './session/crowd';
 import { Frames } from './session/frames';
@@ -74,7 +74,7 @@ const { workspace } = address;
 /** What stays beside the open one, where the window has room. */
 const pinned = new Signal<Workspace | null>(null);
 
-const hint = hints(session);
+const hint = hints(session, tool);
 const overlays = new Overlays(session);
 const crowd = new CrowdWalk(session);
 const handle = new CutHandle(session, cutOf(session));
@@ -205,7 +205,7 @@ view.failure.watch((failure) => {
 });
 session.failure.watch((failure) => {
   if (!failure) return;
-  messages.fail(messageOf(failure), detailsOf(failure), opener.remedy(failure));
+  messages.fail(sentenceOf(failure), detailsOf(failure), opener.remedy(failure));
 });
 
 /** What nobody has caught: a handler has failed, and the page goes on. */
@@ -234,7 +234,7 @@ expose(
     await over.load();
     await over.settled();
   },
-  () => measuring.figures,
+  measuring,
   () => import('./ui/control/script').then(({ scriptOf }) => (script ??= scriptOf(host, window.heatwalk))),
 );
 void first.promise.then(() => over.load());

@@ -15,7 +15,11 @@ const EDGES: readonly { overlay: Overlay; kind: EdgeKind; colour: string }[] = [
   { overlay: 'contacts', kind: 'contact', colour: '#e87500' },
 ];
 
-const ISOLINES = { colour: '#e5202e', width: 1.6 };
+/** Red on a light rim, so that they are seen on every color. */
+const ISOLINES = [
+  { colour: '#ffffff', width: 3.6 },
+  { colour: '#e5202e', width: 1.6 },
+] as const;
 
 export class Overlays {
   readonly #session: Session;
@@ -75,7 +79,10 @@ export class Overlays {
     try {
       const edges = this.#needsEdges ? await edgesOf(engine, overlays) : null;
       const isolines = edges && overlays.includes('isolines') ? drawnIsolines(session) : null;
-      if (isolines) edges?.push({ ...ISOLINES, ends: await engine.queries.isolineEnds(isolines) });
+      if (isolines) {
+        const ends = await engine.queries.isolineEnds(isolines);
+        edges?.push(...ISOLINES.map((line) => ({ ...line, ends })));
+      }
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await engine.queries.gradients(kind) : new Float32Array();
       const other = colorBy === 'distance' || !field ? null : await instead(engine, colorBy, field);

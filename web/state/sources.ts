@@ -65,6 +65,27 @@ export function withOffset(point: MeshPoint, offset: number): Source {
   return offset > 0 ? { ...place, offset } : place;
 }
 
+export function isSameVertex(one: MeshPoint, other: MeshPoint): boolean {
+  return 'vertex' in one && 'vertex' in other && one.vertex === other.vertex;
+}
+
+/** A vertex that is there more than once is one source, where it comes first, with the least of its initial distances. */
+export function onceEach(sources: readonly Source[]): readonly Source[] {
+  const offsets = new Map<number, number>();
+  for (const source of sources) {
+    if (!('vertex' in source)) continue;
+    const { vertex, offset = 0 } = source;
+    offsets.set(vertex, Math.min(offset, offsets.get(vertex) ?? offset));
+  }
+  const once: Source[] = [];
+  for (const source of sources) {
+    const offset = 'vertex' in source ? offsets.get(source.vertex) : (source.offset ?? 0);
+    if (offset !== undefined) once.push(offset === (source.offset ?? 0) ? source : withOffset(source, offset));
+    if ('vertex' in source) offsets.delete(source.vertex);
+  }
+  return once;
+}
+
 /** Without what else there may be. */
 function placeOf(point: MeshPoint): MeshPoint {
   if ('vertex' in point) return { vertex: point.vertex };
