@@ -28,13 +28,11 @@ export function sentenceOf(thrown: unknown): Words {
 
 /** Words with a capital, and with a full stop where nothing ends them. */
 export function asSentence(words: Words): Words {
-  return new Phrase(() => {
-    const text = String(words);
-    return (
-      text.replace(/^\p{Ll}+(?= )/u, (word) => word.charAt(0).toUpperCase() + word.slice(1)) +
-      (/[\p{L}\p{N}]$/u.test(text) ? '.' : '')
-    );
-  });
+  return new Phrase(() =>
+    String(words)
+      .replace(/^\p{Ll}+(?= )/u, (word) => word.charAt(0).toUpperCase() + word.slice(1))
+      .replace(/(?<=[\p{L}\p{N}])$/u, '.'),
+  );
 }
 
 /** Where it was thrown, for whoever looks into it. */

@@ -31,7 +31,6 @@ import { LineCorners } from './ui/input/corners';
 import { CutHandle, cutOf } from './ui/cut';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
-import { hints } from './ui/overlay/hints';
 import { loadingBar } from './ui/overlay/loading';
 import { Messages } from './ui/overlay/messages';
 import { Readout } from './ui/overlay/readout';
@@ -74,7 +73,7 @@ const { workspace } = address;
 /** What stays beside the open one, where the window has room. */
 const pinned = new Signal<Workspace | null>(null);
 
-const hint = hints(session, tool);
+const hint = h('div', { class: 'hint', hidden: true });
 const overlays = new Overlays(session);
 const crowd = new CrowdWalk(session);
 const handle = new CutHandle(session, cutOf(session));
@@ -155,7 +154,7 @@ const bar = toolbar(session, tool, over, address.kiosk ? null : workspace, pinne
 page.append(
   comparing.layer,
   head,
-  h('section', { class: 'foot', 'aria-label': t('Tools') }, hint.element, bar),
+  h('section', { class: 'foot', 'aria-label': t('Tools') }, hint, bar),
   messages.element,
   loadingBar(session),
   handle.element,
@@ -218,7 +217,6 @@ addEventListener('unhandledrejection', ({ reason }) => unforeseen(reason));
 frames.start();
 async function begin(): Promise<void> {
   await Promise.all([view.start(), opener.link(known)]);
-  hint.begin();
   await new Promise(requestAnimationFrame);
 }
 const host = { session, messages, ground, commands, link: () => address.link() };
@@ -238,6 +236,10 @@ expose(
   () => import('./ui/control/script').then(({ scriptOf }) => (script ??= scriptOf(host, window.heatwalk))),
 );
 void first.promise.then(() => over.load());
+first.promise
+  .then(() => import('./ui/overlay/hints'))
+  .then(({ showHints }) => showHints(hint, session, tool))
+  .catch(fail);
 first.promise
   .then(() => import('./session/entries'))
   .then(({ Entries }) => new Entries(scene, opener, address, known))

@@ -279,8 +279,11 @@ test('a phrase is in the language that the page has when it is read, with its nu
   expect(phrases.map(String)).toEqual(english);
 });
 
+function alone(message: string): string {
+  return String(sentenceOf(new Error(message)));
+}
+
 test('a sentence of a worker that stands alone begins with a capital and ends', () => {
-  const alone = (message: string) => String(sentenceOf(new Error(message)));
   expect(alone('these are 20000 isolines, and 10000 are drawn at most; choose a larger spacing')).toBe(
     'These are 20000 isolines, and 10000 are drawn at most; choose a larger spacing.',
   );

@@ -3,7 +3,7 @@ import type { DistanceField } from '../protocol';
 import type { Engine } from '../solver/engine';
 import { OF_HEAT, type Overlay, type SceneState } from '../state/scene';
 import { type EdgeKind, FACE_FIELD, type Method, VERTEX_FIELD, type VertexField } from '../wasm/contract';
-import type { Edges } from '../view/layers';
+import { type Edges, rimmed } from '../view/layers';
 import { drawnIsolines } from './isolines';
 import type { Session } from './session';
 
@@ -15,11 +15,9 @@ const EDGES: readonly { overlay: Overlay; kind: EdgeKind; colour: string }[] = [
   { overlay: 'contacts', kind: 'contact', colour: '#e87500' },
 ];
 
-/** Red on a light rim, so that they are seen on every color. */
-const ISOLINES = [
-  { colour: '#ffffff', width: 3.6 },
-  { colour: '#e5202e', width: 1.6 },
-] as const;
+const ISOLINES = { colour: '#e5202e', width: 1.6 };
+/** Of their rims: they are many. */
+const RIMS = 0.5;
 
 export class Overlays {
   readonly #session: Session;
@@ -81,7 +79,7 @@ export class Overlays {
       const isolines = edges && overlays.includes('isolines') ? drawnIsolines(session) : null;
       if (isolines) {
         const ends = await engine.queries.isolineEnds(isolines);
-        edges?.push(...ISOLINES.map((line) => ({ ...line, ends })));
+        edges?.push(...rimmed({ ...ISOLINES, ends }, RIMS));
       }
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await engine.queries.gradients(kind) : new Float32Array();

@@ -283,14 +283,13 @@ export function refusedWords(refused: readonly string[]): Words {
 }
 
 function shortened(entry: string): string {
-  const [key = '', text] = entry.split(/=(.*)/s);
-  return text === undefined ? entry.slice(0, MOST_NAMED) : `${key}=${text.slice(0, MOST_NAMED)}`;
+  return entry.slice(0, entry.indexOf('=') + 1 + MOST_NAMED);
 }
 
 /** Whether an entry has percent signs that stand for no text. In a name or an address by hand they may stand for themselves. */
 function isMalformed(text: string): boolean {
   if (!text.includes('%') || percentDecoded(text) !== text) return false;
-  return !/^(name|model)=/.test(text) || new URLSearchParams(text).toString().includes('%EF%BF%BD');
+  return !/^(name|model)=/.test(text) || /%[89a-f]/i.test(text);
 }
 
 function encodeMesh(mesh: MeshReference): [string, string][] {

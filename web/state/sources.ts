@@ -71,17 +71,13 @@ export function isSameVertex(one: MeshPoint, other: MeshPoint): boolean {
 
 /** A vertex that is there more than once is one source, where it comes first, with the least of its initial distances. */
 export function onceEach(sources: readonly Source[]): readonly Source[] {
-  const offsets = new Map<number, number>();
-  for (const source of sources) {
-    if (!('vertex' in source)) continue;
-    const { vertex, offset = 0 } = source;
-    offsets.set(vertex, Math.min(offset, offsets.get(vertex) ?? offset));
-  }
   const once: Source[] = [];
+  const places = new Map<number, number>();
   for (const source of sources) {
-    const offset = 'vertex' in source ? offsets.get(source.vertex) : (source.offset ?? 0);
-    if (offset !== undefined) once.push(offset === (source.offset ?? 0) ? source : withOffset(source, offset));
-    if ('vertex' in source) offsets.delete(source.vertex);
+    const place = 'vertex' in source ? (places.get(source.vertex) ?? once.length) : once.length;
+    if ('vertex' in source) places.set(source.vertex, place);
+    const before = once[place];
+    if (!before || (source.offset ?? 0) < (before.offset ?? 0)) once[place] = source;
   }
   return once;
 }

@@ -1,18 +1,8 @@
 /** Legs of tapes as polylines. */
 import type { Leg, MeshPoint, SurfaceLeg } from '../../protocol';
-import type { Edges } from '../../view/layers';
 import type { Places } from '../../state/places';
 import { between, distance, type Vector, vectorAt, vectorsIn } from '../../state/vector';
 import { entry } from '../../state/entry';
-
-/** Around curves and places, so that they are seen on every color: dark, and light around that. */
-export const RIM = '#101418';
-export const HALO = '#ffffff';
-
-/** A curve in all three. */
-export function rimmed(line: Required<Edges>): Edges[] {
-  return [{ ...line, colour: HALO, width: line.width + 4.5 }, { ...line, colour: RIM, width: line.width + 2.5 }, line];
-}
 
 /** A leg as it is drawn. */
 export function polylineOf(leg: Leg, places: Places): Vector[] {

@@ -9,11 +9,11 @@ import { LEVEL_GIRTH } from '../../state/girth';
 import { anglesOf, type CutPlane, INSIDE_RANGES } from '../../state/inside';
 import { measure } from '../../state/measures';
 import { counted, sentences, t, type Words } from '../../texts';
+import { rimmed } from '../../view/layers';
 import { save } from '../../view/picture';
 import { attribute, h, say, select, slider, toggle } from '../dom';
 import { CutHandle } from '../cut';
 import { fileNameOf, percent } from '../words';
-import { rimmed } from './curves';
 import { labelElement, standing } from './standing';
 
 /** The girth, and other curves of the plane; widths in CSS pixels. */

@@ -9,10 +9,11 @@ import { legsOf, moved, withoutPlace } from '../../state/tapes';
 import { h, say } from '../dom';
 import { arrowOf, draggable, hasModifier, keyGesture } from '../gesture';
 import type { MeasureInput } from './input';
-import { HALO, middleOf, polylineOf, positionsOf, RIM, rimmed } from './curves';
+import { middleOf, polylineOf, positionsOf } from './curves';
 import { boxOf, labelElement, standing } from './standing';
 import { areaLabel, lengthWords } from './words';
 import { sentences, t, type Words } from '../../texts';
+import { HALO, RIM, rimmed } from '../../view/layers';
 import type { PlaneContext } from '../../view/view';
 
 /** The curve; width in CSS pixels. */

@@ -1,4 +1,7 @@
-/** What to do first: one hint after the other, each until the hand has done it. Who knows all of them sees none again. */
+/**
+ * What to do first: one hint after the other, each until the hand has done it. Who knows all of them sees none again. Fetched after the
+ * first picture.
+ */
 import type { Session } from '../../session/session';
 import type { SceneState } from '../../state/scene';
 import type { Signal } from '../../state/signal';
@@ -43,10 +46,10 @@ const HINTS: readonly Hint[] = [
 ];
 
 /** Tools with which a click does what hints say. */
-const TOOLS: readonly Tool[] = ['source', 'add'];
+const TOOLS: ReadonlySet<Tool> = new Set(['source', 'add']);
 
-/** The hints, shown from `begin` on. */
-export function hints(session: Session, tool: Signal<Tool>): { element: HTMLElement; begin: () => void } {
+/** Shows the hints in an element. */
+export function showHints(element: HTMLElement, session: Session, tool: Signal<Tool>): void {
   const byTouch = matchMedia('(pointer: coarse)').matches;
   const text = h('span', { 'aria-live': 'polite' });
   const close = h(
@@ -54,11 +57,11 @@ export function hints(session: Session, tool: Signal<Tool>): { element: HTMLElem
     { class: 'small', 'aria-label': t('Show no more hints'), onclick: () => turn(HINTS.length) },
     '×',
   );
-  const element = h('div', { class: 'hint', hidden: true }, text, close);
+  element.append(text, close);
   let known = Number(remembered(MEMORY) ?? 0);
   const show = () => {
     const next = HINTS[known];
-    element.hidden = next === undefined || !TOOLS.includes(tool.value);
+    element.hidden = next === undefined || !TOOLS.has(tool.value);
     if (!next) return;
     const hint = next.isFor(session.scene.state) ? next : SET_SOURCE;
     say(text, byTouch ? hint.touch : hint.mouse);
@@ -68,18 +71,13 @@ export function hints(session: Session, tool: Signal<Tool>): { element: HTMLElem
     remember(MEMORY, String(known));
     show();
   };
-  return {
-    element,
-    begin: () => {
-      tool.watch(show);
-      session.scene.subscribe((state, previous) => {
-        // Another mesh brings places of its own.
-        const isSame = state.mesh === previous.mesh;
-        // What the hand can do already needs no hint either.
-        const done = isSame ? HINTS.findLastIndex(({ isDone }) => isDone(state, previous, session.dragging)) : -1;
-        if (done >= known) turn(done + 1);
-        else show();
-      });
-    },
-  };
+  tool.watch(show);
+  session.scene.subscribe((state, previous) => {
+    // Another mesh brings places of its own.
+    const isSame = state.mesh === previous.mesh;
+    // What the hand can do already needs no hint either.
+    const done = isSame ? HINTS.findLastIndex(({ isDone }) => isDone(state, previous, session.dragging)) : -1;
+    if (done >= known) turn(done + 1);
+    else show();
+  });
 }

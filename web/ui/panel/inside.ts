@@ -120,7 +120,7 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
     if (shown) say(report, reportOf(shown, unitOf(scene.state, shown.opened), scene.state.mesh.kind !== 'preset'));
   };
   scene.subscribe((state, previous) => {
-    if (!isSameUnit(state, previous)) showReport();
+    if (state.mesh !== previous.mesh || !isSameUnit(state, previous)) showReport();
   });
   session.shown.watch((shown, previous) => {
     if (!shown || shown.opened === previous?.opened) return;

@@ -27,8 +27,6 @@ export function clearOf(
   const isClear = (place: Place) => !others.some((other) => covers(place, other));
   const start = [within(wanted[0], room.left, room.width), within(wanted[1], room.top, room.height)] as const;
   if (isClear(start)) return start;
-  const beside = (value: number, from: number, extent: number, sides: readonly number[]) =>
-    [value, ...sides].filter((side) => side >= from && side <= from + extent);
   const xs = others.flatMap((other) => [other.left - gap - width, other.left + other.width + gap]);
   const ys = others.flatMap((other) => [other.top - gap - height, other.top + other.height + gap]);
   const places = beside(start[0], room.left, room.width, xs).flatMap((x) =>
@@ -40,6 +38,11 @@ export function clearOf(
       .filter(isClear)
       .reduce<Place | null>((best, place) => (best && away(best) <= away(place) ? best : place), null) ?? start
   );
+}
+
+/** A coordinate, and what of others is in the room too. */
+function beside(value: number, from: number, extent: number, sides: readonly number[]): number[] {
+  return [value, ...sides.filter((side) => side >= from && side <= from + extent)];
 }
 
 function within(value: number, from: number, extent: number): number {
