@@ -1,5 +1,5 @@
 /** What was thrown, which may be anything, as an error. */
-import { retold, type Words } from './texts/translate';
+import { Phrase, retold, type Words } from './texts/translate';
 
 export function toError(thrown: unknown): Error {
   return thrown instanceof Error ? thrown : new Error(String(thrown));
@@ -18,6 +18,21 @@ export class Failure extends Error {
 /** What an error says, whatever was thrown. */
 export function messageOf(thrown: unknown): Words {
   return thrown instanceof Failure ? thrown.words : retold(toError(thrown).message);
+}
+
+/** The same as a sentence that stands alone: those of workers are made to follow a colon. */
+export function sentenceOf(thrown: unknown): Words {
+  const words = messageOf(thrown);
+  return thrown instanceof Failure ? words : asSentence(words);
+}
+
+/** Words with a capital, and with a full stop where nothing ends them. */
+export function asSentence(words: Words): Words {
+  return new Phrase(() =>
+    String(words)
+      .replace(/^\p{Ll}+(?= )/u, (word) => word.charAt(0).toUpperCase() + word.slice(1))
+      .replace(/(?<=[\p{L}\p{N}])$/u, '.'),
+  );
 }
 
 /** Where it was thrown, for whoever looks into it. */

@@ -78,6 +78,12 @@ export function ownUnitOf({ unit, scale }: Units, opened: UnitOfFile): LengthUni
   return { symbol: unit === 'none' ? '' : unit, assumed: false, scale };
 }
 
+/** Units without a conversion where nothing is known that could be converted. */
+export function convertible({ unit, scale, shownUnit }: Units, opened: UnitOfFile): Units {
+  const own = ownUnitOf({ unit, scale, shownUnit }, opened);
+  return { unit, scale, shownUnit: isKnown(own) ? shownUnit : null };
+}
+
 /** The same lengths in another unit; in their own where nothing says what that is. */
 export function inUnit(unit: LengthUnit, symbol: string): LengthUnit {
   const [from, to] = [MICROMETERS[unit.symbol], MICROMETERS[symbol]];

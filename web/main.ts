@@ -3,7 +3,7 @@ import './style/overlay.css';
 import './style/panel.css';
 // Last: for narrow windows, reduced motion and forced colours it overrides the others.
 import './style/windows.css';
-import { detailsOf, messageOf } from './error';
+import { detailsOf, messageOf, sentenceOf } from './error';
 import { Address } from './session/address';
 import { CrowdWalk } from './session/crowd';
 import { Frames } from './session/frames';
@@ -31,7 +31,6 @@ import { LineCorners } from './ui/input/corners';
 import { CutHandle, cutOf } from './ui/cut';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
-import { hints } from './ui/overlay/hints';
 import { loadingBar } from './ui/overlay/loading';
 import { Messages } from './ui/overlay/messages';
 import { Readout } from './ui/overlay/readout';
@@ -74,7 +73,7 @@ const { workspace } = address;
 /** What stays beside the open one, where the window has room. */
 const pinned = new Signal<Workspace | null>(null);
 
-const hint = hints(session);
+const hint = h('div', { class: 'hint', hidden: true });
 const overlays = new Overlays(session);
 const crowd = new CrowdWalk(session);
 const handle = new CutHandle(session, cutOf(session));
@@ -155,7 +154,7 @@ const bar = toolbar(session, tool, over, address.kiosk ? null : workspace, pinne
 page.append(
   comparing.layer,
   head,
-  h('section', { class: 'foot', 'aria-label': t('Tools') }, hint.element, bar),
+  h('section', { class: 'foot', 'aria-label': t('Tools') }, hint, bar),
   messages.element,
   loadingBar(session),
   handle.element,
@@ -205,7 +204,7 @@ view.failure.watch((failure) => {
 });
 session.failure.watch((failure) => {
   if (!failure) return;
-  messages.fail(messageOf(failure), detailsOf(failure), opener.remedy(failure));
+  messages.fail(sentenceOf(failure), detailsOf(failure), opener.remedy(failure));
 });
 
 /** What nobody has caught: a handler has failed, and the page goes on. */
@@ -218,7 +217,6 @@ addEventListener('unhandledrejection', ({ reason }) => unforeseen(reason));
 frames.start();
 async function begin(): Promise<void> {
   await Promise.all([view.start(), opener.link(known)]);
-  hint.begin();
   await new Promise(requestAnimationFrame);
 }
 const host = { session, messages, ground, commands, link: () => address.link() };
@@ -234,10 +232,14 @@ expose(
     await over.load();
     await over.settled();
   },
-  () => measuring.figures,
+  measuring,
   () => import('./ui/control/script').then(({ scriptOf }) => (script ??= scriptOf(host, window.heatwalk))),
 );
 void first.promise.then(() => over.load());
+first.promise
+  .then(() => import('./ui/overlay/hints'))
+  .then(({ showHints }) => showHints(hint, session, tool))
+  .catch(fail);
 first.promise
   .then(() => import('./session/entries'))
   .then(({ Entries }) => new Entries(scene, opener, address, known))

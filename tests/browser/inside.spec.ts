@@ -52,6 +52,17 @@ test('a file of tetrahedra opens: distance leads through them, exact where lines
   await expect(page.getByRole('button', { name: 'Fill the inside' })).toBeHidden();
 });
 
+test('what was repaired is told of files, not of built-in shapes', async ({ heatwalk, page }) => {
+  // Of the six tetrahedra of each cube, half are.
+  await openCube(heatwalk);
+  const section = page.locator('#section-inside');
+  await expect(section.getByText(` ${3 * N ** 3} inside out were turned.`)).toBeVisible();
+  await heatwalk.open('#v=1&m=cave');
+  await openSection(page, 'inside');
+  await expect(section.getByText(/ tetrahedra with dihedral angles /)).toBeVisible();
+  await expect(section.getByText(/inside out/)).toHaveCount(0);
+});
+
 test('heat flows inside too, and takes the options of the solver', async ({ heatwalk, page }) => {
   // Where all is seen from the source, distances by heat would be straight whatever the options.
   const [source, end] = [cubeVertex(N, N, 0, 0), cubeVertex(N, N / 2, N, 1)];

@@ -86,6 +86,10 @@ test('isolines of an exact distance are as long as circles are, and what is not 
   );
   await expect(section.locator('tbody')).toHaveCount(0);
 
+  await page.getByLabel('Isolines at').fill('0.001');
+  await measure.click();
+  await expect(section.getByRole('status')).toHaveText(/^These are \d+ isolines, and 10000 are .* spacing\.$/);
+
   // The strips at the source are parts of a cone; a source beside it leaves its tip within others.
   await heatwalk.open('#v=1&m=file&name=corner.off&method=exact&s=5&w=none&iso=5,15,25,35,60');
   await heatwalk.dropAndOpen([['corner.off', off(corner())]]);

@@ -91,6 +91,59 @@ test('L and the switch hide it, arrows and the pointer move it, and the page rem
   await expect(legend(page)).toBeVisible();
 });
 
+/** Names of what lies over the legend, or under it. */
+function overlapping(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const box = document.querySelector('.legend')?.getBoundingClientRect() ?? new DOMRect();
+    const isOver = (other: DOMRect) =>
+      other.width > 0 &&
+      other.left < box.right &&
+      other.right > box.left &&
+      other.top < box.bottom &&
+      other.bottom > box.top;
+    return [...document.querySelectorAll('.panel, .heading, .toolbar, .hint, .message')]
+      .filter((other) => isOver(other.getBoundingClientRect()))
+      .map(({ className }) => className);
+  });
+}
+
+test('it stays beside whatever else floats, wherever it is dragged, and in a smaller window', async ({
+  heatwalk,
+  page,
+}) => {
+  // With a message that stays.
+  await heatwalk.open('#v=1&m=icosphere&open=kitchen');
+  await expect(legend(page)).toBeVisible();
+  const dragTo = async (x: number, y: number) => {
+    const box = await legend(page).boundingBox();
+    if (!box) throw new Error('no legend');
+    await page.mouse.move(box.x + 10, box.y + 10);
+    await page.mouse.down();
+    await page.mouse.move(x, y, { steps: 2 });
+    await page.mouse.up();
+  };
+  const { x = 0, y = 0, width = 0 } = (await page.getByRole('toolbar').boundingBox()) ?? {};
+  for (const [left, top] of [
+    [x + width / 2, y + 10],
+    [0, 0],
+    [0, 900],
+    [1400, 450],
+  ]) {
+    await dragTo(left, top);
+    expect(await overlapping(page), `${left}, ${top}`).toEqual([]);
+  }
+  // The first place is kept as shares of the window, which mean another place in another one.
+  await dragTo(x, y - 60);
+  for (const [across, down] of [
+    [1100, 720],
+    [800, 600],
+    [390, 844],
+  ]) {
+    await page.setViewportSize({ width: across, height: down });
+    await expect.poll(() => overlapping(page), { message: `${across} × ${down}` }).toEqual([]);
+  }
+});
+
 function bounds(values: readonly number[]): number[] {
   return values.reduce(([least, most], value) => [Math.min(least, value), Math.max(most, value)], [1e9, -1]);
 }

@@ -25,6 +25,22 @@ test('one workspace is open, by mouse and by arrows, and a link opens where its 
   await expect(tab('Scene')).toHaveAttribute('aria-selected', 'true');
 });
 
+test('what a link says that cannot be is told in one notice, and nothing else is lost', async ({ heatwalk, page }) => {
+  const notices = page.locator('.message.notice p');
+  await heatwalk.open('#%E0%A4%A');
+  await expect(notices).toHaveText(["The link's %E0%A4%A is invalid; the default is used."]);
+  await heatwalk.open('#v=1&m=icosphere&s=7&shown=km&w=999999&p=4&kiosk=2&look=gold');
+  await expect(notices).toHaveText([
+    "The link's kiosk=2, p=4, w=999999, and shown=km are invalid; the defaults are used.",
+  ]);
+  const scene = await heatwalk.scene();
+  expect(scene).toMatchObject({ sources: [{ vertex: 7 }], shownUnit: null, parts: [], style: { name: 'gold' } });
+  // With a unit it can be.
+  await heatwalk.open('#v=1&m=icosphere&unit=m&shown=km');
+  expect((await heatwalk.mesh()).unit).toBe('km');
+  await expect(notices).toHaveCount(0);
+});
+
 test('a tool opens its workspace, and is put away with it', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=terrain');
   const tool = (name: string) => page.getByRole('toolbar').getByRole('button', { name, exact: true });

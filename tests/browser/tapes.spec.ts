@@ -144,6 +144,18 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone, sha
   expect(file).not.toContain('var(');
 });
 
+test('scripts that wait until the page has settled have the lengths of tapes', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=bunny&refine=0');
+  for (let i = 0; i < 3; i++) {
+    const states = await page.evaluate(async (first) => {
+      await window.heatwalk.setTapes([{ points: [0, 700, 1500].map((vertex) => ({ vertex: vertex + first })) }]);
+      await window.heatwalk.settled();
+      return window.heatwalk.tapes.flatMap(({ legs }) => legs.map(({ state }) => state));
+    }, i);
+    expect(states).toEqual(['exact', 'exact']);
+  }
+});
+
 test('tapes of a link are measured where another scene was before and nothing is refined', async ({
   heatwalk,
   page,

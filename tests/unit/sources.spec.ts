@@ -8,12 +8,22 @@ import {
   verticesOfPart,
 } from '../../web/session/outlines';
 import { MODEL, ofModel } from '../../web/length';
-import { addSet, moveSource, removeSelected, selectedSet, setInitialDistance, setSource } from '../../web/state/edit';
+import { SOURCES } from '../../web/state/points';
+import type { Source } from '../../web/protocol';
+import {
+  addSet,
+  addSource,
+  moveSource,
+  removeSelected,
+  selectedSet,
+  setInitialDistance,
+  setSource,
+} from '../../web/state/edit';
 import { isList, isNamedList, rowsOf } from '../../web/state/list';
 import { Scene } from '../../web/state/history';
 import { emptyScene } from '../../web/state/scene';
 import { decodeSets, encodeSets, fitLink } from '../../web/state/sets';
-import { allSources, type SourceSet } from '../../web/state/sources';
+import { allSources, onceEach, type SourceSet } from '../../web/state/sources';
 import { pack } from '../../web/state/text';
 
 const LINE: SourceSet = {
@@ -63,6 +73,23 @@ test('a set is one step of undo, is selected, and is removed and moved by nothin
   expect(scene.state.sets).toEqual([LINE]);
   setSource(scene, { vertex: 9 });
   expect(allSources(scene.state)).toEqual([{ vertex: 9 }]);
+});
+
+test('a vertex that is given twice is one source, with its least initial distance', () => {
+  const inFace = { face: 3, weights: [1, 0, 0] } as const;
+  const given = [{ vertex: 5, offset: 2 }, inFace, { vertex: 7 }, { vertex: 5, offset: 1 }, { vertex: 7, offset: 3 }];
+  expect(onceEach(given as Source[])).toEqual([{ vertex: 5, offset: 1 }, inFace, { vertex: 7 }]);
+  expect(SOURCES.parse('7,7,5@2,5')).toEqual([{ vertex: 7 }, { vertex: 5 }]);
+
+  const scene = fresh();
+  expect(addSource(scene, { vertex: 9 })).toBe(true);
+  // It is selected, so that one sees where it is.
+  expect(addSource(scene, { vertex: 7, offset: 1 })).toBe(false);
+  expect(scene.state).toMatchObject({ sources: [{ vertex: 7 }, { vertex: 9 }], selected: 0 });
+  expect(addSource(scene, { vertex: 9 })).toBe(false);
+  expect(scene.state.selected).toBe(1);
+  scene.undo();
+  expect(scene.state.sources).toEqual([{ vertex: 7 }]);
 });
 
 const SETS: readonly SourceSet[] = [

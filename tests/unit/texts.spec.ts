@@ -1,4 +1,5 @@
 import { expect, test } from '@playwright/test';
+import { Failure, sentenceOf } from '../../web/error';
 import { FRENCH, REPORTS } from '../../web/texts/fr';
 import { retelling } from '../../web/texts/retelling';
 import { counted, enumerated, Phrase, retold, speak } from '../../web/texts/translate';
@@ -276,4 +277,18 @@ test('a phrase is in the language that the page has when it is read, with its nu
     speak('en');
   }
   expect(phrases.map(String)).toEqual(english);
+});
+
+function alone(message: string): string {
+  return String(sentenceOf(new Error(message)));
+}
+
+test('a sentence of a worker that stands alone begins with a capital and ends', () => {
+  expect(alone('these are 20000 isolines, and 10000 are drawn at most; choose a larger spacing')).toBe(
+    'These are 20000 isolines, and 10000 are drawn at most; choose a larger spacing.',
+  );
+  // Names of files stay as they are, and so do sentences.
+  expect(alone('cow.off holds no faces')).toBe('cow.off holds no faces.');
+  expect(alone('No mesh is open.')).toBe('No mesh is open.');
+  expect(String(sentenceOf(new Failure('list.csv, line 3: no source')))).toBe('list.csv, line 3: no source');
 });

@@ -15,6 +15,8 @@ export interface Notifier {
   notice(text: Words, action?: Action): void;
   /** The same of the mesh on screen: it goes with that, and when there is another one. */
   remark(text: Words, action?: Action): void;
+  /** What of a link cannot be used, all together: takes the place of what was told so before. */
+  refused(values: readonly string[]): void;
   /** Tells which of the meshes that came together is shown, and offers the others. */
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void;
   fail(text: Words, details: string, remedy?: Action): void;

@@ -11,7 +11,7 @@ import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { isPainted, LEVEL } from '../state/ground';
 import { HALVED, isWhole, WHOLE } from '../state/inside';
-import { decodeLink, isOpenedAlike, undoableOf } from '../state/link';
+import { type Decoded, decodeLink, isOpenedAlike, refusedBy, undoableOf } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
 import { emptyScene, type MeshReference, type SceneState, TRIANGLES } from '../state/scene';
 import type { SourceSet } from '../state/sources';
@@ -71,6 +71,8 @@ export class Opener {
   readonly #ground: GroundEditor;
   /** What a link wants to see of a file that only the user can give, or of an address that only the user may open. */
   #awaited: SceneState | null = null;
+  /** What could not be used of the link that wants this state. */
+  #refused: { state: SceneState | null; values: readonly string[] } = { state: null, values: [] };
 
   constructor(session: Session, notifier: Notifier, ground: GroundEditor) {
     this.#session = session;
@@ -129,8 +131,7 @@ export class Opener {
     }
     if (!scene) return false;
     const { mesh } = scene;
-    const { state, notices } = decodeLink(scene.link, startOf);
-    if (notices.length > 0) this.#notifier.notice(sentences(...notices));
+    const { state } = this.#told(decodeLink(scene.link, startOf));
     if (state?.mesh.kind === 'preset') await this.preset(state.mesh.id, state);
     else if (state && mesh !== null)
       await this.#gather(
@@ -230,11 +231,19 @@ export class Opener {
 
   /** A shared scene, or the first preset when the fragment names none. */
   async link(fragment: string): Promise<void> {
-    const { state, notices } = decodeLink(fragment, startOf);
-    if (notices.length > 0) this.#notifier.notice(sentences(...notices));
+    const { state } = this.#told(decodeLink(fragment, startOf));
     if (state && (await this.#find(state))) return;
     if (!state || !this.#session.shown.value) await this.preset(FIRST_PRESET.id);
     if (state) this.#await(state);
+  }
+
+  /** Tells what of a link cannot be used. */
+  #told(decoded: Decoded): Decoded {
+    const { state, notices, refused } = decoded;
+    if (notices.length > 0) this.#notifier.notice(sentences(...notices));
+    this.#refused = { state, values: refused };
+    this.#notifier.refused(refused);
+    return decoded;
   }
 
   /** A scene that was shown before: at once where the mesh is the same. */
@@ -313,6 +322,12 @@ export class Opener {
   async #open(request: OpenRequest, done: (shown: Shown) => void = () => undefined): Promise<void> {
     try {
       const shown = await this.#session.open(request);
+      const { state } = this.#session.scene;
+      const refused = refusedBy(request.state, state);
+      if (refused.length > 0) {
+        const before = request.state === this.#refused.state ? this.#refused.values : [];
+        this.#notifier.refused([...before, ...refused]);
+      }
       if (hasLost(request.state, this.#session.scene.state)) {
         this.#notifier.notice(t('Some sources of the link are not on this mesh and were removed.'));
       }

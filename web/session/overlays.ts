@@ -3,7 +3,7 @@ import type { DistanceField } from '../protocol';
 import type { Engine } from '../solver/engine';
 import { OF_HEAT, type Overlay, type SceneState } from '../state/scene';
 import { type EdgeKind, FACE_FIELD, type Method, VERTEX_FIELD, type VertexField } from '../wasm/contract';
-import type { Edges } from '../view/layers';
+import { type Edges, rimmed } from '../view/layers';
 import { drawnIsolines } from './isolines';
 import type { Session } from './session';
 
@@ -16,6 +16,8 @@ const EDGES: readonly { overlay: Overlay; kind: EdgeKind; colour: string }[] = [
 ];
 
 const ISOLINES = { colour: '#e5202e', width: 1.6 };
+/** Of their rims: they are many. */
+const RIMS = 0.5;
 
 export class Overlays {
   readonly #session: Session;
@@ -75,7 +77,10 @@ export class Overlays {
     try {
       const edges = this.#needsEdges ? await edgesOf(engine, overlays) : null;
       const isolines = edges && overlays.includes('isolines') ? drawnIsolines(session) : null;
-      if (isolines) edges?.push({ ...ISOLINES, ends: await engine.queries.isolineEnds(isolines) });
+      if (isolines) {
+        const ends = await engine.queries.isolineEnds(isolines);
+        edges?.push(...rimmed({ ...ISOLINES, ends }, RIMS));
+      }
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await engine.queries.gradients(kind) : new Float32Array();
       const other = colorBy === 'distance' || !field ? null : await instead(engine, colorBy, field);

@@ -2,6 +2,7 @@
 import type { MeshInput, Moment, OpenedMesh, Source } from '../protocol';
 import type { Wanted } from '../solver/client';
 import type { Answer, Engine, Question } from '../solver/engine';
+import { convertible } from '../length';
 import { Cancelled } from '../solver/remote';
 import { fits, LEVEL } from '../state/ground';
 import { Places } from '../state/places';
@@ -114,6 +115,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   return {
     state: {
       ...request.state,
+      ...usable(request.state, opened),
       mesh: 'hash' in reference ? { ...reference, hash: opened.hash } : reference,
       sources,
       sets,
@@ -124,6 +126,13 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
     },
     shown: { opened, places, answer },
   };
+}
+
+/** Of parts and units, what a mesh has. What is simplified, or filled, is one part in the place of those of the file. */
+function usable({ parts, hidden, ...units }: SceneState, opened: OpenedMesh): Partial<SceneState> {
+  const isWhole = opened.simplified !== null || opened.interior !== null;
+  const isThere = (part: number) => isWhole || part < opened.parts.length;
+  return { parts: parts.filter(isThere), hidden: hidden.filter(isThere), ...convertible(units, opened) };
 }
 
 /** What of a state is on a mesh. */

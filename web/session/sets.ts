@@ -13,6 +13,7 @@ import {
   indexOf,
   MOST_POINTS,
   MOST_SETS,
+  onceEach,
   placesOf,
   type SetShape,
   type SourceSet,
@@ -187,7 +188,7 @@ export function placeList(session: Session, name: string, text: string): PlacedL
   const add = () => {
     const [first, ...others] = placed;
     if (first && others.length === 0) {
-      addSource(scene, first.source);
+      if (!addSource(scene, first.source)) return t('This vertex is a source already.');
       return 'coordinates' in first.row.place ? t`Added, ${away} away from there.` : t('Added.');
     }
     const points = inOrder(placed.map(({ source }) => source));
@@ -241,17 +242,9 @@ function placedOf(row: Row, { opened, places }: Mesh): Placed {
   return { row, source: withOffset(nearest.point, offset), away: nearest.away };
 }
 
-/** By index, which is short in a link; a vertex that is there more than once counts where its initial distance is least. */
+/** By index, which is short in a link. */
 function inOrder(sources: readonly Source[]): Source[] {
-  const byStart = sources.toSorted((a, b) => (a.offset ?? 0) - (b.offset ?? 0));
-  const seen = new Set<number>();
-  const once = byStart.filter((source) => {
-    if (!('vertex' in source)) return true;
-    const isNew = !seen.has(source.vertex);
-    seen.add(source.vertex);
-    return isNew;
-  });
-  return once.toSorted((a, b) => indexOf(a) - indexOf(b));
+  return onceEach(sources).toSorted((a, b) => indexOf(a) - indexOf(b));
 }
 
 /** All sources as rows that `addList` takes: by vertex where all are vertices, else by their coordinates. The head says the unit. */

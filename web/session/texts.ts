@@ -1,7 +1,7 @@
 /** Texts that are pasted, and tables that come as files. Fetched with the first of these. */
 import { addressIn, hostOf } from '../files/address';
 import { fileName } from '../files/paths';
-import { detailsOf, messageOf } from '../error';
+import { detailsOf, sentenceOf } from '../error';
 import type { InputFile } from '../protocol';
 import { isList, isNamedList } from '../state/list';
 import type { GroundEditor } from './ground';
@@ -86,6 +86,6 @@ async function reported(notifier: Notifier, work: () => Promise<void> | void): P
   try {
     await work();
   } catch (error) {
-    notifier.fail(messageOf(error), detailsOf(error));
+    notifier.fail(sentenceOf(error), detailsOf(error));
   }
 }

@@ -5,7 +5,7 @@
 import type { MeshPoint } from '../protocol';
 import { Places } from '../state/places';
 import type { SceneState } from '../state/scene';
-import { type SetShape, type SourceSet, withOffset } from '../state/sources';
+import { onceEach, type SetShape, type SourceSet, withOffset } from '../state/sources';
 import { found, type Mesh } from './found';
 import { drawnPlace, filePlace, nearestPlace } from './nearest';
 import type { Transfer, Shown } from './prepare';
@@ -29,7 +29,7 @@ export function transfer({ opened }: Shown, state: SceneState, reach: number): T
     };
     const sets = state.sets.map((set) => taken(set, mesh, take));
     return {
-      sources: all(state.sources, take),
+      sources: onceEach(all(state.sources, take)),
       sets: await found(
         mesh,
         sets.filter((set) => set !== null),

@@ -1,19 +1,28 @@
 /** What pointer and keyboard do to sources and walker. */
-import type { MeshPoint } from '../protocol';
+import type { MeshPoint, Source } from '../protocol';
 import { UP, type Up } from '../wasm/contract';
 import type { Inside } from './inside';
 import type { Scene } from './history';
 import type { ModelLength } from '../length';
 import { upOf } from './scene';
-import { type SourceSet, withOffset } from './sources';
+import { isSameVertex, onceEach, type SourceSet, withOffset } from './sources';
 import { entry } from './entry';
 
 export function setSource(scene: Scene, point: MeshPoint): void {
   scene.edit({ sources: [point], sets: [], selected: -1 });
 }
 
-export function addSource(scene: Scene, point: MeshPoint): void {
-  scene.edit({ sources: [...scene.state.sources, point], selected: -1 });
+/** False: a vertex that is a source already, which is selected then. */
+export function addSource(scene: Scene, source: Source): boolean {
+  const before = scene.state.sources;
+  const sources = onceEach([...before, source]);
+  const index = sources.findIndex((other, i) => other !== before[i]);
+  if (index >= 0) {
+    scene.edit({ sources, selected: sources.length > before.length ? -1 : index });
+    return true;
+  }
+  scene.set({ selected: before.findIndex((other) => isSameVertex(other, source)) });
+  return false;
 }
 
 export function moveSource(scene: Scene, index: number, point: MeshPoint, gesture: object): void {

@@ -1,6 +1,6 @@
 /** The scene as a readable fragment. Only what differs from where the mesh starts out is written. */
 import { PATH_KIND, UP, VERTEX_FIELD } from '../wasm/contract';
-import { addressIn } from '../files/address';
+import { addressIn, percentDecoded } from '../files/address';
 import { decodeCompared, encodeCompared } from './compared';
 import { COSTS, decodeGround, encodeGround } from './ground';
 import { GIRTH } from './girth';
@@ -50,13 +50,15 @@ const VERSION = '1';
 const LONGEST_CLIP_SECONDS = 3600;
 /** Parts of a file that a link can name: more than any has. */
 const MOST_PARTS = 1_000_000;
+/** Letters of a value that a message names. */
+const MOST_NAMED = 40;
 
 export interface Decoded {
   /** Null where the fragment names no mesh, or none that there can be. */
   state: SceneState | null;
-  /** What is to be told of it. */
+  /** What is to be told of it, beside what is refused. */
   notices: Words[];
-  /** Values that could not be used, as `key=value`. */
+  /** What could not be used, as `key=value`. */
   refused: string[];
   /** Keys that mean nothing, or nothing any more. */
   unknown: string[];
@@ -225,43 +227,69 @@ export function encodeLink(state: SceneState, start: SceneState): string {
 }
 
 export function decodeLink(fragment: string, startOf: StartOf): Decoded {
+  const refused: string[] = [];
+  const refuse = (entry: string) => refused.push(shortened(entry));
+  const texts = fragment.replace(/^#/, '').split('&');
+  texts.filter(isMalformed).forEach(refuse);
   // A plus sign is one: spaces are written as %20.
-  const entries = new URLSearchParams(fragment.replace(/^#/, '').replaceAll('+', '%2B'));
+  const readable = texts.filter((text) => !isMalformed(text)).join('&');
+  const entries = new URLSearchParams(readable.replaceAll('+', '%2B'));
   const notices: Words[] = [];
   const mesh = parseMesh(entries);
+  const start = mesh === null || mesh instanceof Phrase ? null : startOf(mesh);
   if (mesh instanceof Phrase) notices.push(mesh);
-  if (mesh === null || mesh instanceof Phrase) return { state: null, notices, refused: [], unknown: [] };
-  const start = startOf(mesh);
-  if (!start) {
-    notices.push(t('The preset of this link does not exist; the first preset is shown.'));
-    return { state: null, notices, refused: [], unknown: [] };
-  }
+  else if (mesh && !start) notices.push(t('The preset of this link does not exist; the first preset is shown.'));
+  if (!start) return { state: null, notices, refused, unknown: [] };
   if ((entries.get('v') ?? VERSION) !== VERSION) {
     notices.push(t('This link was made by another version of the page; some of it may be ignored.'));
   }
   let state = start;
-  const refused: string[] = [];
-  const refuse = (key: string, text: string) => refused.push(`${key}=${text.slice(0, 40)}`);
   for (const key of KEYS) {
     const text = entries.get(key.key);
     if (text === null) continue;
     const next = read(key, text, state);
     if (next) state = next;
-    else refuse(key.key, text);
+    else refuse(`${key.key}=${text}`);
   }
-  const open = entries.get('open');
-  if (open !== null && !isWorkspace(open)) refuse('open', open);
-  if (refused.length > 0) {
-    const words = counted(
-      refused.length,
-      "The link's {1} is invalid; the default is used.",
-      "The link's {1} are invalid; the defaults are used.",
-      enumerated(refused),
-    );
-    notices.push(words);
-  }
+  const [open, kiosk] = [entries.get('open'), entries.get('kiosk')];
+  if (open !== null && !isWorkspace(open)) refuse(`open=${open}`);
+  if (kiosk !== null && FLAG.parse(kiosk) === undefined) refuse(`kiosk=${kiosk}`);
   const known = new Set([...ADDRESS_KEYS, ...KEYS.map(({ key }) => key)]);
   return { state, notices, refused, unknown: [...entries.keys()].filter((key) => !known.has(key)) };
+}
+
+/** What of a link the mesh that was opened does not have, as `key=value`: places, parts, a unit to be converted to. */
+export function refusedBy(wanted: SceneState, opened: SceneState): string[] {
+  const isLost: Partial<Record<keyof SceneState, boolean>> = {
+    parts: opened.parts.length < wanted.parts.length,
+    hidden: opened.hidden.length < wanted.hidden.length,
+    walker: wanted.walker !== null && opened.walker !== wanted.walker,
+    tapes: opened.tapes.length < wanted.tapes.length,
+    shownUnit: opened.shownUnit !== wanted.shownUnit,
+  };
+  return KEYS.filter(({ field }) => isLost[field as keyof SceneState]).map((key) =>
+    shortened(`${key.key}=${key.encode(wanted)}`),
+  );
+}
+
+/** What cannot be used of a link, in a sentence. */
+export function refusedWords(refused: readonly string[]): Words {
+  return counted(
+    refused.length,
+    "The link's {1} is invalid; the default is used.",
+    "The link's {1} are invalid; the defaults are used.",
+    enumerated(refused),
+  );
+}
+
+function shortened(entry: string): string {
+  return entry.slice(0, entry.indexOf('=') + 1 + MOST_NAMED);
+}
+
+/** Whether an entry has percent signs that stand for no text. In a name or an address by hand they may stand for themselves. */
+function isMalformed(text: string): boolean {
+  if (!text.includes('%') || percentDecoded(text) !== text) return false;
+  return !/^(name|model)=/.test(text) || /%[89a-f]/i.test(text);
 }
 
 function encodeMesh(mesh: MeshReference): [string, string][] {
@@ -290,7 +318,7 @@ function parseMesh(entries: URLSearchParams): MeshReference | Phrase | null {
     // Who writes a link by hand leaves the address as it is.
     const address = addressIn(model.replaceAll(' ', '%20'));
     if (address) return { kind: 'address', address, path: name, hash };
-    return t`The link's model=${model.slice(0, 40)} is no http or https address; the first preset is shown.`;
+    return t`The link's model=${model.slice(0, MOST_NAMED)} is no http or https address; the first preset is shown.`;
   }
   if (m === null) return null;
   return m === 'file' ? { kind: 'file', name, hash } : { kind: 'preset', id: m };

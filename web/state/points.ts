@@ -1,6 +1,6 @@
 /** Places on a mesh as text in a link: an index, with weights where it is that of a face or a tetrahedron. */
 import type { MeshPoint, Source } from '../protocol';
-import { indexOf, MOST_POINTS, withOffset } from './sources';
+import { indexOf, MOST_POINTS, onceEach, withOffset } from './sources';
 import { amount, type Codec, COUNT, listOf, number, parseAmount } from './text';
 
 /** The digits of a link are rounded, so that weights may miss a sum of 1 by a little. */
@@ -41,4 +41,12 @@ const SOURCE: Codec<Source> = {
 };
 
 export const POINTS = listOf(POINT, MOST_POINTS);
-export const SOURCES = listOf(SOURCE, MOST_POINTS);
+const LISTED = listOf(SOURCE, MOST_POINTS);
+
+export const SOURCES: Codec<readonly Source[]> = {
+  encode: LISTED.encode,
+  parse: (text) => {
+    const sources = LISTED.parse(text);
+    return sources && onceEach(sources);
+  },
+};

@@ -65,6 +65,23 @@ export function withOffset(point: MeshPoint, offset: number): Source {
   return offset > 0 ? { ...place, offset } : place;
 }
 
+export function isSameVertex(one: MeshPoint, other: MeshPoint): boolean {
+  return 'vertex' in one && 'vertex' in other && one.vertex === other.vertex;
+}
+
+/** A vertex that is there more than once is one source, where it comes first, with the least of its initial distances. */
+export function onceEach(sources: readonly Source[]): readonly Source[] {
+  const once: Source[] = [];
+  const places = new Map<number, number>();
+  for (const source of sources) {
+    const place = 'vertex' in source ? (places.get(source.vertex) ?? once.length) : once.length;
+    if ('vertex' in source) places.set(source.vertex, place);
+    const before = once[place];
+    if (!before || (source.offset ?? 0) < (before.offset ?? 0)) once[place] = source;
+  }
+  return once;
+}
+
 /** Without what else there may be. */
 function placeOf(point: MeshPoint): MeshPoint {
   if ('vertex' in point) return { vertex: point.vertex };

@@ -53,7 +53,8 @@ export interface Heatwalk extends Script {
   /** Resolves when the first scene is solved and drawn, or when it is certain that nothing can be drawn. */
   readonly ready: Promise<void>;
   /**
-   * Resolves when nothing is being opened or solved and refining has ended: everything is exact, or `refining` says why not.
+   * Resolves when nothing is being opened, solved or measured by tapes and refining has ended: everything is exact, or `refining`
+   * says why not.
    */
   settled(): Promise<void>;
   /** "WebGPU", "WebGL2", or null when nothing can be drawn. */
@@ -124,12 +125,12 @@ declare global {
   }
 }
 
-/** `decorated` resolves when what is shown beside the field is there. `measured`: what tapes tell. `load`: what changes the page. */
+/** `decorated` resolves when what is shown beside the field is there. `tapes`: what they tell. `load`: what changes the page. */
 export function expose(
   session: Session,
   ready: Promise<void>,
   decorated: () => Promise<void>,
-  measured: () => readonly TapeFigures[],
+  tapes: { readonly figures: readonly TapeFigures[]; settled(): Promise<void> },
   load: () => Promise<Script>,
 ): void {
   const asked = SCRIPT.map((name) => [
@@ -141,7 +142,17 @@ export function expose(
     ready,
     async settled() {
       await ready;
-      await until(() => session.settled, session.loading, session.refiner.phase, session.pose, session.animator.moment);
+      // What is measured along tapes is asked for by the answer, and meanwhile there may be another question.
+      do {
+        await until(
+          () => session.settled,
+          session.loading,
+          session.refiner.phase,
+          session.pose,
+          session.animator.moment,
+        );
+        await tapes.settled();
+      } while (!session.settled);
     },
     get backend() {
       return session.view.backend.value;
@@ -200,7 +211,7 @@ export function expose(
       return kind && length > 0 ? { arc, length, cost: path?.cost ?? length, arrived, kind } : null;
     },
     get tapes() {
-      return measured();
+      return tapes.figures;
     },
     distanceAt(point) {
       const shown = session.shown.value;

@@ -14,6 +14,19 @@ export interface Edges {
 
 export const THIN = 1.2;
 
+/** Around curves and places, so that they are seen on every color: dark, and light around that. */
+export const RIM = '#101418';
+export const HALO = '#ffffff';
+
+/** A curve in all three; `share` of the rims of a wide one. */
+export function rimmed(line: Required<Edges>, share = 1): Edges[] {
+  return [
+    { ...line, colour: HALO, width: line.width + 4.5 * share },
+    { ...line, colour: RIM, width: line.width + 2.5 * share },
+    line,
+  ];
+}
+
 /** What lines are shown for, in the order in which they are drawn: overlays, walls and sets of sources, the other path, girths, tapes. */
 export const EDGE_GROUPS = ['overlays', 'lines', 'path', 'girth', 'tapes'] as const;
 export type EdgeGroup = (typeof EDGE_GROUPS)[number];

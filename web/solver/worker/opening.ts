@@ -121,7 +121,9 @@ async function fewer(
   progress: ProgressListener,
 ): Promise<Opening> {
   const all = file.contents().parts;
-  const chosen = Uint32Array.from(parts.length > 0 ? parts : all.keys());
+  // A link may name parts of another file.
+  const there = parts.filter((part) => part < all.length);
+  const chosen = Uint32Array.from(there.length > 0 ? there : all.keys());
   if (most === null || chosen.reduce((sum, part) => sum + (all[part]?.triangles ?? 0), 0) <= most) {
     return { file, chosen, simplified: null, unit: unitOf(file), inner: null };
   }

@@ -1,5 +1,5 @@
 /** What is measured when it is asked for: a button that begins and cancels it, how far it is, and what came of it. */
-import { messageOf } from '../../error';
+import { sentenceOf } from '../../error';
 import { Cancelled } from '../../solver/remote';
 import { copy } from '../clipboard';
 import { h, say } from '../dom';
@@ -36,7 +36,7 @@ export function measuring({ label, steps, measure, ended }: Task): Measuring {
       say(said, await measure(signal));
     } catch (error) {
       const isCancelled = error instanceof Cancelled || signal.aborted;
-      say(said, isCancelled ? t('Cancelled.') : messageOf(error));
+      say(said, isCancelled ? t('Cancelled.') : sentenceOf(error));
     } finally {
       running = null;
       say(button, label);

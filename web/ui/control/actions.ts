@@ -1,6 +1,7 @@
 /** What scripts and the page around the frame can have done: the page tells nobody but them when it cannot be. */
 import type { Distances, MeshFigures, Openable, Options, Path, Source, Place, State } from '../../embed';
 import { Failure } from '../../error';
+import { convertible } from '../../length';
 import type { MeshPoint } from '../../protocol';
 import type { GroundEditor } from '../../session/ground';
 import type { Notifier } from '../../session/notifier';
@@ -12,6 +13,7 @@ import { fits } from '../../state/ground';
 import { PRESETS } from '../../state/presets';
 import { decodeLink, isOpenedWith, isUndoable } from '../../state/link';
 import type { SceneState } from '../../state/scene';
+import { onceEach } from '../../state/sources';
 import type { Tape } from '../../state/tapes';
 import type { Heatwalk } from '../scripting';
 import { distancesOf, meshFigures, pathOf, stateOf } from './figures';
@@ -71,7 +73,7 @@ export class Actions {
   setSources(given: readonly Source[]): void {
     const sources = [...given] as MeshPoint[];
     sources.forEach((source, index) => this.#require(source, `sources[${index}]`));
-    this.#o.session.scene.edit({ sources, selected: -1 });
+    this.#o.session.scene.edit({ sources: onceEach(sources), selected: -1 });
   }
 
   setWalker(given: Place | null): void {
@@ -117,11 +119,14 @@ export class Actions {
     );
   }
 
-  #requireAll({ sources, walker, tapes, ground }: SceneState): void {
+  #requireAll({ sources, walker, tapes, ground, ...units }: SceneState): void {
     sources.forEach((source, index) => this.#require(source, `s[${index}]`));
     if (walker) this.#require(walker, 'w');
     this.#requireTapes(tapes, 'tape');
-    const { name, report } = this.#shown.opened;
+    const { opened } = this.#shown;
+    const { name, report } = opened;
+    if (convertible(units, opened).shownUnit !== units.shownUnit)
+      throw new Error(`shown=${units.shownUnit}: lengths of ${name} have no unit; give unit too.`);
     if (!fits(ground, { triangles: report.faces, inputVertices: report.inputVertices }))
       throw new Error(`ground is of another mesh than ${name}.`);
   }
@@ -145,6 +150,7 @@ function quiet(notifier: Notifier, failed: (reason: Words) => void): Notifier {
     opened: (title, shown, state) => notifier.opened(title, shown, state),
     notice: (text, action) => notifier.notice(text, action),
     remark: (text, action) => notifier.remark(text, action),
+    refused: (values) => notifier.refused(values),
     choice: (shown, meshes, open) => notifier.choice(shown, meshes, open),
     fail: failed,
     askForFile: (name) => notifier.askForFile(name),

@@ -1,5 +1,5 @@
 /** What becomes of one's files, where the source is, and how a fault is reported: nothing is sent by the page itself. */
-import { messageOf } from '../../error';
+import { sentenceOf } from '../../error';
 import type { Session } from '../../session/session';
 import { save } from '../../view/picture';
 import { copy } from '../clipboard';
@@ -22,7 +22,7 @@ export function about(session: Session): HTMLElement[] {
       const { sceneFile } = await import('../../session/scene');
       save(await sceneFile(session), `${fileNameOf(session.shown.value)}.heatwalk.zip`);
     } catch (error) {
-      say(said, messageOf(error));
+      say(said, sentenceOf(error));
     }
   };
   return [

@@ -1,6 +1,6 @@
 /** The girth: curves in which a plane cuts the surface, their lengths on the stage and in the panel, and files of them. */
 import '../../style/tapes.css';
-import { Failure, messageOf } from '../../error';
+import { Failure, sentenceOf } from '../../error';
 import { type LengthUnit, isSameUnit, MODEL, ofModel, unitOf, unitOfFile } from '../../length';
 import type { GirthFile } from '../../protocol';
 import { Girths, type Loop } from '../../session/girth';
@@ -9,14 +9,14 @@ import { LEVEL_GIRTH } from '../../state/girth';
 import { anglesOf, type CutPlane, INSIDE_RANGES } from '../../state/inside';
 import { measure } from '../../state/measures';
 import { counted, sentences, t, type Words } from '../../texts';
+import { rimmed } from '../../view/layers';
 import { save } from '../../view/picture';
 import { attribute, h, say, select, slider, toggle } from '../dom';
 import { CutHandle } from '../cut';
 import { fileNameOf, percent } from '../words';
 import { labelElement, standing } from './standing';
 
-/** The girth, and other curves of the plane, on a dark rim. */
-const RIM = { colour: '#101418', width: 5 };
+/** The girth, and other curves of the plane; widths in CSS pixels. */
 const GIRTH = { colour: '#ff4fd8', width: 2.5 };
 const OTHERS = { colour: '#ffb3ee', width: 1.6 };
 /** A drag or a key that repeats comes back within; milliseconds. */
@@ -103,11 +103,7 @@ export class GirthTool {
     if (girth || this.#hasLines) {
       const rest = Float32Array.from(others.flat());
       const ends = Float32Array.from(girth ?? []);
-      const lines = [
-        { ends: rest, ...OTHERS },
-        { ends, ...RIM },
-        { ends, ...GIRTH },
-      ];
+      const lines = [...rimmed({ ends: rest, ...OTHERS }), ...rimmed({ ends, ...GIRTH })];
       this.#session.view.setEdges('girth', girth ? lines.filter((line) => line.ends.length > 0) : []);
       this.#hasLines = girth !== undefined;
     }
@@ -145,7 +141,7 @@ export class GirthTool {
     const file = select(t('Girth file'), FILES, (value) => (kind = value));
     const saveFile = () => {
       say(said, '');
-      this.#save(kind).catch((error: unknown) => say(said, messageOf(error)));
+      this.#save(kind).catch((error: unknown) => say(said, sentenceOf(error)));
     };
     const settings = h(
       'div',

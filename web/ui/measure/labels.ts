@@ -13,10 +13,10 @@ import { middleOf, polylineOf, positionsOf } from './curves';
 import { boxOf, labelElement, standing } from './standing';
 import { areaLabel, lengthWords } from './words';
 import { sentences, t, type Words } from '../../texts';
+import { HALO, RIM, rimmed } from '../../view/layers';
 import type { PlaneContext } from '../../view/view';
 
-/** The curve, bright on a dark rim, so that it is seen on every color; widths in CSS pixels. */
-const RIM = { colour: '#101418', width: 5 };
+/** The curve; width in CSS pixels. */
 const LINE = { colour: '#ffc233', width: 2.5 };
 
 /** What is seen at the pixel of a place is the place itself where it is no farther away than this share of the diameter. */
@@ -112,15 +112,7 @@ export class TapeLabels {
     const curves = measured.map((each) => curvesOf(each, places));
     const ends = Float32Array.from(curves.flat().flatMap((curve) => segmentsOf(curve)));
     if (ends.length > 0 || this.#hasLines) {
-      view.setEdges(
-        'tapes',
-        ends.length > 0
-          ? [
-              { ends, ...RIM },
-              { ends, ...LINE },
-            ]
-          : [],
-      );
+      view.setEdges('tapes', ends.length > 0 ? rimmed({ ends, ...LINE }) : []);
       this.#hasLines = ends.length > 0;
     }
     this.#placeAll(measured, places);
@@ -207,11 +199,16 @@ export class TapeLabels {
       if (!pixel) continue;
       context.beginPath();
       context.arc(...pixel, 4, 0, 2 * Math.PI);
+      for (const [colour, width] of [
+        [HALO, 4.5],
+        [RIM, 1.5],
+      ] as const) {
+        context.lineWidth = width;
+        context.strokeStyle = colour;
+        context.stroke();
+      }
       context.fillStyle = LINE.colour;
       context.fill();
-      context.lineWidth = 1.5;
-      context.strokeStyle = RIM.colour;
-      context.stroke();
     }
     for (const { element } of this.#labels.filter(isSeen)) standing(this.#session).print(context, element);
   }

@@ -2,6 +2,7 @@
 import type { Session } from '../../session/session';
 import { lengthOf, type MeasuredTape, stateOf, straightOf, type Tapes } from '../../session/tapes';
 import {
+  convertible,
   isSameUnit,
   type LengthUnit,
   type ModelLength,
@@ -12,6 +13,7 @@ import {
   UNITS,
 } from '../../length';
 import { SCALES } from '../../state/tapes';
+import { AUTOMATIC } from '../../wasm/contract';
 import { save } from '../../view/picture';
 import { copy } from '../clipboard';
 import { h, say, select } from '../dom';
@@ -131,7 +133,7 @@ function knownLength(
   session: Session,
   index: number,
 ): { element: HTMLElement; show: (length: ModelLength, unit: LengthUnit) => void } {
-  const { scene } = session;
+  const { scene, shown } = session;
   let measured = ofModel(NaN);
   let chosen: UnitChoice = 'm';
   const field = h('input', { type: 'number', min: 0, step: 'any', 'aria-label': t`Known length of tape ${index + 1}` });
@@ -160,7 +162,10 @@ function knownLength(
     {
       class: 'small',
       title: t('Takes lengths as the file has them'),
-      onclick: () => scene.edit({ scale: 1, unit: 'auto' }),
+      onclick: () => {
+        const units = { ...scene.state, scale: 1, unit: AUTOMATIC } as const;
+        if (shown.value) scene.edit(convertible(units, shown.value.opened));
+      },
     },
     t('Reset'),
   );

@@ -1,6 +1,11 @@
-/** What to do first: one hint after the other, each until the hand has done it. Who knows all of them sees none again. */
+/**
+ * What to do first: one hint after the other, each until the hand has done it. Who knows all of them sees none again. Fetched after the
+ * first picture.
+ */
 import type { Session } from '../../session/session';
 import type { SceneState } from '../../state/scene';
+import type { Signal } from '../../state/signal';
+import type { Tool } from '../../state/tool';
 import { h, say } from '../dom';
 import { remember, remembered } from '../memory';
 import { t, type Words } from '../../texts';
@@ -10,30 +15,41 @@ const MEMORY = 'heatwalk.hints';
 interface Hint {
   mouse: Words;
   touch: Words;
+  /** Whether there is what it is about. */
+  isFor: (state: SceneState) => boolean;
   /** Whether the hand has just done it. */
   isDone: (state: SceneState, previous: SceneState, dragging: boolean) => boolean;
 }
 
+/** Also what is told again where there are no sources. */
+const SET_SOURCE: Hint = {
+  mouse: t('Click the surface'),
+  touch: t('Tap the surface'),
+  isFor: () => true,
+  isDone: ({ sources }, previous) => sources.some((source) => !previous.sources.includes(source)),
+};
+
 const HINTS: readonly Hint[] = [
-  {
-    mouse: t('Click the surface'),
-    touch: t('Tap the surface'),
-    isDone: (state, previous) => state.sources !== previous.sources,
-  },
+  SET_SOURCE,
   {
     mouse: t('Drag the pin: the stripes follow'),
     touch: t('Drag the pin: the stripes follow'),
+    isFor: ({ sources }) => sources.length > 0,
     isDone: (state, previous, dragging) => dragging && state.sources !== previous.sources,
   },
   {
     mouse: t('Alt + click sends the walker there'),
     touch: t('A long press sends the walker there'),
+    isFor: ({ sources, sets }) => sources.length + sets.length > 0,
     isDone: (state, previous) => state.walker !== previous.walker && state.walker !== null,
   },
 ];
 
-/** The hints, shown from `begin` on. */
-export function hints(session: Session): { element: HTMLElement; begin: () => void } {
+/** Tools with which a click does what hints say. */
+const TOOLS: ReadonlySet<Tool> = new Set(['source', 'add']);
+
+/** Shows the hints in an element. */
+export function showHints(element: HTMLElement, session: Session, tool: Signal<Tool>): void {
   const byTouch = matchMedia('(pointer: coarse)').matches;
   const text = h('span', { 'aria-live': 'polite' });
   const close = h(
@@ -41,30 +57,27 @@ export function hints(session: Session): { element: HTMLElement; begin: () => vo
     { class: 'small', 'aria-label': t('Show no more hints'), onclick: () => turn(HINTS.length) },
     '×',
   );
-  const element = h('div', { class: 'hint', hidden: true }, text, close);
+  element.append(text, close);
   let known = Number(remembered(MEMORY) ?? 0);
   const show = () => {
-    const hint = HINTS[known];
-    element.hidden = hint === undefined;
-    if (hint) say(text, byTouch ? hint.touch : hint.mouse);
+    const next = HINTS[known];
+    element.hidden = next === undefined || !TOOLS.has(tool.value);
+    if (!next) return;
+    const hint = next.isFor(session.scene.state) ? next : SET_SOURCE;
+    say(text, byTouch ? hint.touch : hint.mouse);
   };
   const turn = (next: number) => {
     known = next;
     remember(MEMORY, String(known));
     show();
   };
-  return {
-    element,
-    begin: () => {
-      show();
-      const end = session.scene.subscribe((state, previous) => {
-        // Another mesh brings places of its own.
-        if (state.mesh !== previous.mesh) return;
-        // What the hand can do already needs no hint either.
-        const done = HINTS.findLastIndex(({ isDone }) => isDone(state, previous, session.dragging));
-        if (done >= known) turn(done + 1);
-        if (known >= HINTS.length) end();
-      });
-    },
-  };
+  tool.watch(show);
+  session.scene.subscribe((state, previous) => {
+    // Another mesh brings places of its own.
+    const isSame = state.mesh === previous.mesh;
+    // What the hand can do already needs no hint either.
+    const done = isSame ? HINTS.findLastIndex(({ isDone }) => isDone(state, previous, session.dragging)) : -1;
+    if (done >= known) turn(done + 1);
+    else show();
+  });
 }

@@ -5,6 +5,7 @@ import { fileName } from '../../files/paths';
 import type { Action, Notifier } from '../../session/notifier';
 import type { Shown } from '../../session/prepare';
 import { unitOf } from '../../length';
+import { refusedWords } from '../../state/link';
 import type { SceneState } from '../../state/scene';
 import { AUTOMATIC } from '../../wasm/contract';
 import { copy } from '../clipboard';
@@ -30,6 +31,7 @@ export class Messages implements Notifier {
   #summary: HTMLElement | null = null;
   #absent: HTMLElement | null = null;
   #remark: HTMLElement | null = null;
+  #refused: HTMLElement | null = null;
   #failed: HTMLElement | null = null;
   #asked: HTMLElement | null = null;
   #chosen: HTMLElement | null = null;
@@ -80,6 +82,11 @@ export class Messages implements Notifier {
     const notices = this.#polite.querySelectorAll('.notice');
     if (notices.length > MOST_NOTICES) notices[0]?.remove();
     return message;
+  }
+
+  refused(values: readonly string[]): void {
+    this.#refused?.remove();
+    this.#refused = values.length > 0 ? this.#notice(refusedWords(values)) : null;
   }
 
   choice(shown: string, meshes: readonly string[], open: (mesh: string) => void): void {

@@ -1,7 +1,7 @@
 /** Files that were opened before and are kept in this browser, to be opened again or erased. */
 import { fileName } from '../../files/paths';
 import { eraseKept, type GivenInput, keepingTrouble, type KeptFile, keptFiles } from '../../session/kept';
-import { messageOf } from '../../error';
+import { sentenceOf } from '../../error';
 import { h, say } from '../dom';
 import { bytes } from '../words';
 import { t } from '../../texts';
@@ -27,7 +27,7 @@ export function recentFiles(open: (input: GivenInput) => void): { element: HTMLE
     try {
       await eraseKept(hash);
     } catch (error) {
-      say(trouble, messageOf(error));
+      say(trouble, sentenceOf(error));
       return;
     }
     await show();

@@ -1,4 +1,4 @@
-import { Failure, messageOf } from '../../error';
+import { Failure, sentenceOf } from '../../error';
 import type { CurveFile, DistanceFile, InnerDistanceFile, Isolines, SavedCurves } from '../../protocol';
 import { pathFile, towardEye, trackPoints, tracksFile } from '../../session/export';
 import { isolineWish } from '../../session/isolines';
@@ -76,7 +76,7 @@ export function exportSection(session: Session): HTMLElement {
       void Promise.resolve()
         .then(work)
         .then((words) => say(said, words ?? null))
-        .catch((error: unknown) => say(said, messageOf(error)))
+        .catch((error: unknown) => say(said, sentenceOf(error)))
         .finally(() => (button.disabled = false));
     });
     return button;

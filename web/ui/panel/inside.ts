@@ -1,6 +1,7 @@
 import type { Opener } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
+import { asSentence } from '../../error';
 import { lookInto } from '../../state/edit';
 import { isSameUnit, type LengthUnit, unitOf } from '../../length';
 import { anglesOf, CUTS, DEFAULT_FILL, FILLS, type Inside, INSIDE_RANGES, LEAST_SPACING } from '../../state/inside';
@@ -116,10 +117,10 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
   });
   const showReport = () => {
     const shown = session.shown.value;
-    if (shown) say(report, reportOf(shown, unitOf(scene.state, shown.opened)));
+    if (shown) say(report, reportOf(shown, unitOf(scene.state, shown.opened), scene.state.mesh.kind !== 'preset'));
   };
   scene.subscribe((state, previous) => {
-    if (!isSameUnit(state, previous)) showReport();
+    if (state.mesh !== previous.mesh || !isSameUnit(state, previous)) showReport();
   });
   session.shown.watch((shown, previous) => {
     if (!shown || shown.opened === previous?.opened) return;
@@ -140,8 +141,8 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
   return h('div', { class: 'stack' }, amount.element, h('div', { class: 'linking' }, fill, empty), report, looking);
 }
 
-/** What tetrahedra there are. */
-function reportOf({ opened, places }: Shown, unit: LengthUnit): Words {
+/** What tetrahedra there are, and what was repaired of those of a file. */
+function reportOf({ opened, places }: Shown, unit: LengthUnit, isFile: boolean): Words {
   if (!opened.interior) return EMPTY;
   const { report, madeMs } = opened.interior;
   const deviation = t`Their boundary is within ${finePercent(report.deviation / places.diameter)} of the diagonal of the surface.`;
@@ -154,8 +155,8 @@ function reportOf({ opened, places }: Shown, unit: LengthUnit): Words {
       '{0} without volume or twice there was left out.',
       '{0} without volume or twice there were left out.',
     ),
-    some(report.turned, '{0} inside out was turned.', '{0} inside out were turned.'),
-    report.remark ? t`${retold(report.remark)}.` : null,
+    isFile ? some(report.turned, '{0} inside out was turned.', '{0} inside out were turned.') : null,
+    report.remark ? asSentence(retold(report.remark)) : null,
   );
 }
 

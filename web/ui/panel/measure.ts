@@ -57,7 +57,8 @@ export class MeasureSection {
 
   /** Resolves when all is measured. */
   async settled(): Promise<void> {
-    await (await this.#loading)?.tapes.settled();
+    // What could not be loaded measures nothing.
+    await (await this.#loading?.catch(() => null))?.tapes.settled();
   }
 
   async #load(): Promise<void> {

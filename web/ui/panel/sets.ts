@@ -1,5 +1,5 @@
 /** Draws, types, and saves sources that are many at once. */
-import { messageOf } from '../../error';
+import { sentenceOf } from '../../error';
 import type { Session } from '../../session/session';
 import { selectedSet } from '../../state/edit';
 import type { Scene } from '../../state/history';
@@ -61,7 +61,7 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
       tell(addList(session, String(t('List')), text));
       field.value = '';
     } catch (error) {
-      tell(messageOf(error));
+      tell(sentenceOf(error));
     }
   };
   const field = h('input', {

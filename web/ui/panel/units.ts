@@ -1,6 +1,7 @@
 /** What the lengths in the file are, and in which unit they are shown. */
 import type { Session } from '../../session/session';
 import {
+  convertible,
   isKnown,
   isSameUnit,
   ofModel,
@@ -25,7 +26,10 @@ export function unitControls({ scene, shown }: Session): HTMLElement[] {
     [AUTOMATIC, t('automatic')],
     ...UNITS.map((name): [UnitChoice, Words] => [name, name === 'none' ? t('no unit') : name]),
   ];
-  const correct = select(t('Correct unit'), corrections, (unit) => scene.edit({ unit, scale: 1 }));
+  const ofFile = () => shown.value?.opened ?? { unit: '', unitAssumed: false };
+  const correct = select(t('Correct unit'), corrections, (unit) =>
+    scene.edit(convertible({ ...scene.state, unit, scale: 1 }, ofFile())),
+  );
   attribute(
     correct.element,
     'title',
@@ -41,7 +45,7 @@ export function unitControls({ scene, shown }: Session): HTMLElement[] {
 
   const show = () => {
     const { state } = scene;
-    const opened = shown.value?.opened ?? { unit: '', unitAssumed: false };
+    const opened = ofFile();
     const before = ownUnitOf({ ...state, unit: AUTOMATIC, scale: 1 }, opened);
     const told = ownUnitOf(state, opened);
     correct.show(state.unit);

@@ -7,6 +7,7 @@ import { attribute, h } from '../dom';
 import { arrowOf, draggable, hasModifier } from '../gesture';
 import { narrow } from '../panel/panel';
 import { remember, remembered } from '../memory';
+import { type Box, clearOf, type Place } from './clear';
 import { type Content, contentOf } from './content';
 import { type Look, drawLegend, drawPlate, sizeOf } from './draw';
 import { t } from '../../texts';
@@ -26,15 +27,15 @@ const ROOM = { width: 900, height: 480 } as const;
 
 const AXES = { X: '#d0342c', Y: '#2e8b2e', Z: '#2f6fd6' } as const;
 
-/** Share of the room that is left of and above it, from 0 to 1. */
-type Place = readonly [number, number];
+/** What floats beside it. */
+const OTHERS = '.panel, .heading, .toolbar, .hint, .message, .loading, .compare-left, .compare-right';
+/** What changes where these stand. */
+const CHANGING = '.stage, .panel, .heading, .toolbar, .hint, .messages > div, .loading';
+/** Between it and them. */
+const APART = 4;
 
-interface Room {
-  left: number;
-  top: number;
-  width: number;
-  height: number;
-}
+/** Share of the room that is left of and above it, from 0 to 1. */
+type Share = Place;
 
 export class Legend {
   readonly #canvas = h('canvas', { role: 'img' });
@@ -54,7 +55,7 @@ export class Legend {
   readonly #isOn: Signal<boolean>;
   readonly #forced = matchMedia('(forced-colors: active)');
   /** Where it was put by hand. */
-  #place: Place | null = rememberedPlace();
+  #place: Share | null = rememberedPlace();
   #content: Content | null = null;
   /** What is drawn. */
   #drawn = '';
@@ -72,7 +73,7 @@ export class Legend {
       query.addEventListener('change', () => this.#redraw());
     }
     const observer = new ResizeObserver(() => this.follow());
-    for (const element of document.querySelectorAll('.stage, .panel, .toolbar')) observer.observe(element);
+    for (const element of document.querySelectorAll(CHANGING)) observer.observe(element);
     session.view.captions.push((context, width, height, pixels) => this.#print(context, width, height, pixels));
     draggable(this.element, {
       begin: ({ button, clientX, clientY }) => {
@@ -130,7 +131,7 @@ export class Legend {
   }
 
   /** Where it may be put: where no panel lies over it. */
-  get #room(): Room {
+  get #room(): Box {
     const { centre, free, stage } = this.#session.view;
     const { offsetWidth, offsetHeight } = this.element;
     const left = centre[0] - free / 2;
@@ -138,14 +139,19 @@ export class Legend {
     return { left, top: 0, width: Math.max(0, free - offsetWidth), height: Math.max(0, height - offsetHeight) };
   }
 
+  /** Beside whatever floats there by now. */
   #stand(): void {
     const room = this.#room;
-    const [x, y] = this.#place ? placed(this.#place, room) : this.#standard(room);
+    const wanted = this.#place ? placed(this.#place, room) : this.#standard(room);
+    const { offsetWidth, offsetHeight } = this.element;
+    const others = [...document.querySelectorAll(OTHERS)].map((other) => other.getBoundingClientRect());
+    const taken = others.filter(({ width }) => width > 0);
+    const [x, y] = clearOf(wanted, [offsetWidth, offsetHeight], room, taken, APART);
     this.element.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
   }
 
   /** At the side on which there are no tools, below what stands at the top. */
-  #standard({ left, width, height }: Room): Place {
+  #standard({ left, width, height }: Box): Place {
     if (!narrow()) return [left + GAP, Math.min(BELOW_HEADING, height)];
     const x = left + Math.max(0, width - GAP);
     const { scene, view } = this.#session;
@@ -189,7 +195,7 @@ export class Legend {
   }
 }
 
-function placed([x, y]: Place, { left, top, width, height }: Room): Place {
+function placed([x, y]: Share, { left, top, width, height }: Box): Place {
   return [left + x * width, top + y * height];
 }
 
@@ -197,7 +203,7 @@ function share(part: number, whole: number): number {
   return whole > 0 ? Math.min(1, Math.max(0, part / whole)) : 0;
 }
 
-function rememberedPlace(): Place | null {
+function rememberedPlace(): Share | null {
   const [x, y] = (remembered(MEMORY) ?? '').split(',').map(Number);
   return x !== undefined && y !== undefined && x >= 0 && x <= 1 && y >= 0 && y <= 1 ? [x, y] : null;
 }
