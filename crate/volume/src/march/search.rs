@@ -1,14 +1,16 @@
 //! The search itself: waves offered from vertex to vertex, nearest first.
 
+mod seen;
+
 use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+use std::collections::{BinaryHeap, HashMap};
 
 use glam::DVec3;
 
 use super::medium::Medium;
 use super::refraction::arrival;
 use super::wave::Wave;
-use crate::mesh::{Crossing, NONE, Start, TetMesh};
+use crate::mesh::{NONE, TetMesh};
 use crate::point::{TetPoint, TetSource};
 
 /// A distance replaces another if it is below it by this share: rounding must not send waves around for ever.
@@ -42,6 +44,10 @@ pub(crate) struct Search<'a> {
     offers: BinaryHeap<Offer>,
     /// Vertices that got a distance since edges were looked at, see [`Search::relax`].
     settled: Vec<u32>,
+    /// Whether waves come straight to vertices that are on the way of long lines, see `seen`.
+    shown: HashMap<(u32, u32), bool>,
+    /// To how many of these they do not.
+    hidden: usize,
     is_uniform: bool,
     /// Done so far, see [`super::March::advance`].
     work: usize,
@@ -59,6 +65,8 @@ impl<'a> Search<'a> {
             offered: vec![[NONE; REMEMBERED]; vertices],
             offers: BinaryHeap::new(),
             settled: Vec::new(),
+            shown: HashMap::new(),
+            hidden: 0,
             is_uniform: medium.is_uniform(),
             work: 0,
         }
@@ -167,50 +175,6 @@ impl<'a> Search<'a> {
             self.offers.push(Reverse((distance.to_bits(), vertex, wave)));
             self.work += OFFERED;
         }
-    }
-
-    /// Whether a wave comes straight to a vertex.
-    fn is_seen(&mut self, wave: u32, vertex: u32) -> bool {
-        if wave == NONE {
-            return true;
-        }
-        let Wave { cost, .. } = self.waves[wave as usize];
-        let place = self.mesh.positions()[vertex as usize];
-        let from = self.waves[wave as usize].ray(place).from;
-        if from == place || self.comes_along(wave, vertex) {
-            return true;
-        }
-        let (wave_of, medium) = (&self.wave_of, self.medium);
-        let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == cost;
-        let sight = self.medium.sight(self.mesh);
-        // Most lines that are not seen would leave the mesh at once, seen from where they come from.
-        if self.waves[wave as usize].start_at(from).is_some_and(|start| !sight.leaves(start, place, may_enter)) {
-            return false;
-        }
-        // Where the other three corners of a tetrahedron see the source, so does all that is behind it, up to what is smaller than it.
-        let tetrahedra = self.mesh.tetrahedra();
-        let is_shown = |&corner: &u32| corner == vertex || wave_of[corner as usize] == wave;
-        let may_show =
-            |tetrahedron: u32| tetrahedra[tetrahedron as usize].iter().all(is_shown) && may_enter(tetrahedron);
-        if sight.leaves(Start::Vertex(vertex), from, may_show) {
-            return true;
-        }
-        // Where the three corners of a face see the source, so does all of the face, up to what is smaller than it.
-        let passed = &mut self.work;
-        let crossing = |corners: [u32; 3]| {
-            *passed += 1;
-            if corners.iter().all(|&corner| wave_of[corner as usize] == wave) { Crossing::Known } else { Crossing::On }
-        };
-        sight.walk(Start::Vertex(vertex), [place, from], may_enter, crossing).is_some()
-    }
-
-    /// Whether a wave comes from the other end of an edge, along which nothing is in between.
-    fn comes_along(&self, wave: u32, vertex: u32) -> bool {
-        let Wave { cost, ends, .. } = self.waves[wave as usize];
-        let Some([from, other]) = ends else { return false };
-        from == other
-            && self.mesh.adjacent().row(vertex).binary_search(&from).is_ok()
-            && self.least_cost_at([from, vertex]) <= cost
     }
 
     /// Gives a vertex its distance and sends waves on.
