@@ -69,9 +69,10 @@ export class HeatwalkPage {
     });
   }
 
-  /** Closes what was said on opening, which lies over the model. */
+  /** Closes what was said on opening, which lies over the model, unless it has gone by itself. */
   async closeSummary(): Promise<void> {
-    await this.page.locator('.message.summary').getByRole('button', { name: 'Close the message' }).click();
+    await this.page.evaluate(() => document.querySelector<HTMLElement>('.message.summary > .close')?.click());
+    await expect(this.page.locator('.message.summary')).toHaveCount(0);
   }
 
   /** Until the camera stands still. */

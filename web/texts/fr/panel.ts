@@ -121,6 +121,7 @@ export const PANEL: Texts = {
     'Les courbes sont droites dans les triangles : plus courtes que les vraies, et ce d’autant plus que les triangles sont grands.',
   'Greatest cost': 'Coût maximal',
   'Greatest cost {0}.': 'Coût maximal {0}.',
+  'Its cost {0}.': 'Son coût {0}.',
   'Give the length of this tape, a number above 0.': 'Donnez la longueur de ce ruban, un nombre supérieur à 0.',
   'Area by least cost': 'Aire selon le moindre coût',
   'Area within a cost': 'Aire en deçà d’un coût',
@@ -432,12 +433,12 @@ export const PANEL: Texts = {
   'Saved: {0} s, {1} frames a second.': 'Enregistrée : {0} s, {1} images par seconde.',
   'There is no walker. Alt + click the surface to place one.':
     'Il n’y a pas de marcheur. Alt + clic sur la surface en place un.',
-  'Propagation at once, then refined to exact. Nothing is factored.':
-    'Propagation immédiate, puis raffinée jusqu’à l’exact. Rien n’est factorisé.',
+  'Propagation at once, then refined to exact unless ground has costs. Nothing is factored.':
+    'Propagation immédiate, puis raffinée jusqu’à l’exact sauf si le terrain a des coûts. Rien n’est factorisé.',
   'By a few windows of each half-edge; never below the exact distance. Nothing is factored.':
     'Par quelques fenêtres par demi-arête ; jamais en dessous de la distance exacte. Rien n’est factorisé.',
-  'Smooth distances from matrices that are factored once; refined to exact.':
-    'Distances lisses par des matrices factorisées une fois ; raffinées jusqu’à l’exact.',
+  'Smooth distances from matrices that are factored once; refined to exact unless ground has costs.':
+    'Distances lisses par des matrices factorisées une fois ; raffinées jusqu’à l’exact sauf si le terrain a des coûts.',
   'Propagation at once, then always refined to exact. Nothing is factored.':
     'Propagation immédiate, puis toujours raffinée jusqu’à l’exact. Rien n’est factorisé.',
   'By waves through the tetrahedra: exact where a straight line leads to a source. Nothing is factored.':

@@ -38,11 +38,14 @@ function announcement({ scene, shown, refiner }: Session): Words {
   const { opened, answer } = shown.value ?? {};
   if (!opened || !answer?.field) return '';
   const unit = unitOf(scene.state, opened);
+  const { path } = answer;
+  const hasCosts = isWeighted(answer.question.ground);
   return sentences(
     refiningSentence(refiner.phase.value, answer.field, scene.state, unit),
-    isWeighted(answer.question.ground)
+    hasCosts
       ? t`Greatest cost ${measure(answer.field.maxDistance, unit)}.`
       : t`Maximum distance ${measure(answer.field.maxDistance, unit)}.`,
-    answer.path ? t`Path ${measure(answer.path.length, unit)}.` : null,
+    path ? t`Path ${measure(path.length, unit)}.` : null,
+    path && hasCosts ? t`Its cost ${measure(path.cost, unit)}.` : null,
   );
 }

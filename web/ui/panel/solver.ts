@@ -25,9 +25,9 @@ import { linksSentence, refiningSentence } from '../words';
 import { count, t, type Words } from '../../texts';
 
 const METHOD_HINTS: Record<Method, Words> = {
-  auto: t('Propagation at once, then refined to exact. Nothing is factored.'),
+  auto: t('Propagation at once, then refined to exact unless ground has costs. Nothing is factored.'),
   propagation: t('By a few windows of each half-edge; never below the exact distance. Nothing is factored.'),
-  heat: t('Smooth distances from matrices that are factored once; refined to exact.'),
+  heat: t('Smooth distances from matrices that are factored once; refined to exact unless ground has costs.'),
   exact: t('Propagation at once, then always refined to exact. Nothing is factored.'),
 };
 /** Inside of tetrahedra there are two. */
