@@ -29,6 +29,15 @@ export async function everyWorkspace(page: Page, look: (workspace: string) => Pr
   }
 }
 
+/** That each of the calls was refused for its reason, and that nothing has changed. */
+export function expectRefused(
+  { reasons, isKept }: { reasons: readonly string[]; isKept: boolean },
+  expected: readonly string[],
+): void {
+  for (const [index, reason] of expected.entries()) expect(reasons[index]).toContain(reason);
+  expect(isKept).toBe(true);
+}
+
 export class HeatwalkPage {
   constructor(
     readonly page: Page,
@@ -124,6 +133,15 @@ export class HeatwalkPage {
   async openFile(name: string, content: string, options: string): Promise<void> {
     await this.open(`#v=1&m=file&name=${name}&${options}`);
     await this.dropAndOpen([[name, content]]);
+  }
+
+  /** The same without what lies over the model, and with a section of the panel open. */
+  async openInSection(section: string, name: string, content: string, options: string): Promise<void> {
+    await this.withoutLegend();
+    await this.openFile(name, content, options);
+    await this.settled();
+    await this.closeSummary();
+    await openSection(this.page, section);
   }
 
   scene() {

@@ -4,9 +4,8 @@
 // textured and compressed ones; with --against COMMIT [--budget SECONDS] this checkout against another commit.
 // docs/benchmarks.md tells what each number means.
 
-import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { existsSync } from 'node:fs';
 import { cpus, totalmem } from 'node:os';
-import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { against } from './bench/against.mjs';
 import { bars, growthOf } from './bench/bars.mjs';
@@ -17,7 +16,7 @@ import { models } from './bench/models.mjs';
 import { methods } from './bench/methods.mjs';
 import { Peers } from './bench/peers.mjs';
 import { Programs } from './bench/programs.mjs';
-import { markdown } from './bench/report.mjs';
+import { markdown, save } from './bench/report.mjs';
 import { bundle, publishModules } from './bundle.mjs';
 import { prepare } from './needs.mjs';
 import { fail, root } from './steps.mjs';
@@ -147,9 +146,5 @@ function report() {
   };
   results.bars = bars(results);
   const text = markdown(results);
-  const folder = join(root, 'target', 'bench');
-  mkdirSync(folder, { recursive: true });
-  writeFileSync(join(folder, 'results.json'), JSON.stringify(results, undefined, 2));
-  writeFileSync(join(folder, 'results.md'), text);
-  console.log(`\n${text}\nWritten to target/bench/results.json and target/bench/results.md.`);
+  save('results', results, text);
 }

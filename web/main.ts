@@ -1,3 +1,4 @@
+import './style/colors.css';
 import './style/page.css';
 import './style/overlay.css';
 import './style/panel.css';

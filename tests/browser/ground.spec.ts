@@ -10,11 +10,8 @@ const SIZE = 'Size';
 
 /** A grid seen from above. */
 async function openGrid(heatwalk: HeatwalkPage, options = 'method=auto'): Promise<void> {
-  await heatwalk.withoutLegend();
-  await heatwalk.openFile('grid.off', GRID, `${VIEW}&s=${SOURCE.vertex}&w=${BEHIND.vertex}&${options}`);
-  await heatwalk.settled();
-  await heatwalk.closeSummary();
-  await openSection(heatwalk.page, 'ground');
+  const link = `${VIEW}&s=${SOURCE.vertex}&w=${BEHIND.vertex}&${options}`;
+  await heatwalk.openInSection('ground', 'grid.off', GRID, link);
 }
 
 async function choose(heatwalk: HeatwalkPage, material: string, tool = 'brush'): Promise<void> {

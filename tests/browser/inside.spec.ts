@@ -10,11 +10,8 @@ const [CORNER, FAR, MIDDLE] = [cubeVertex(N, 0, 0, 0), cubeVertex(N, N, N, N), c
 const VIEW = 'up=y&cam=0.3,0.3,3.2,0,0,0';
 
 async function openCube(heatwalk: HeatwalkPage, options = 'method=auto&cut=plane'): Promise<void> {
-  await heatwalk.withoutLegend();
-  await heatwalk.openFile('cube.msh', CUBE, `${VIEW}&s=${CORNER.vertex}&w=${FAR.vertex}&${options}`);
-  await heatwalk.settled();
-  await heatwalk.closeSummary();
-  await openSection(heatwalk.page, 'inside');
+  const link = `${VIEW}&s=${CORNER.vertex}&w=${FAR.vertex}&${options}`;
+  await heatwalk.openInSection('inside', 'cube.msh', CUBE, link);
 }
 
 /** The corner in the middle of a triangle or beside it, clicked with a key held. */

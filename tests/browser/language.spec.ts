@@ -1,8 +1,13 @@
 /** The page in French, as the browser wants it, as the address has it, and as it is chosen. */
 import { violations } from '../axe';
-import { everyWorkspace, expect, openSection, test } from '../page';
+import { everyWorkspace, expect, type HeatwalkPage, openSection, test } from '../page';
 
 const titles = '.panel-body summary';
+
+async function openTorus(heatwalk: HeatwalkPage): Promise<void> {
+  await heatwalk.open('#m=torus&method=auto');
+  await heatwalk.settled();
+}
 
 /** Files that readers and the budget of memory refuse, and what is told of each; spaces stand for narrow ones too. */
 const REFUSED: readonly [name: string, content: string, told: RegExp][] = [
@@ -28,8 +33,7 @@ test.describe('in a browser that wants French', () => {
     heatwalk,
     page,
   }) => {
-    await heatwalk.open('#m=torus&method=auto');
-    await heatwalk.settled();
+    await openTorus(heatwalk);
     await expect(page.locator('html')).toHaveAttribute('lang', 'fr');
     await expect(page.locator(titles).first()).toHaveText('Scène');
     await expect(page.getByRole('button', { name: 'Mesurer' }).first()).toBeVisible();
@@ -83,8 +87,7 @@ test('French is chosen in the help at once: the scene, undo, what is open and th
   heatwalk,
   page,
 }) => {
-  await heatwalk.open('#m=torus&method=auto');
-  await heatwalk.settled();
+  await openTorus(heatwalk);
   await openSection(page, 'numbers');
   await page.getByRole('button', { name: 'Add', exact: true }).first().click();
   await page.evaluate(() => Object.assign(window, { isSamePage: true }));

@@ -1,14 +1,20 @@
+import type { Page } from '@playwright/test';
 import { crossings, expect, HeatwalkPage, test } from '../page';
 
-// Only WebGL lets a page lose its context on purpose; what follows is the same on both backends.
-test('a lost graphics context is restored with the scene intact', async ({ page }) => {
-  const heatwalk = new HeatwalkPage(page, 'WebGL2');
+/** The page with its first scene, a place on the model, and what counts the stripes there. */
+async function striped(page: Page, backend: 'WebGL2' | 'WebGPU') {
+  const heatwalk = new HeatwalkPage(page, backend);
   await heatwalk.open();
   const [x, y] = await heatwalk.pixelOnModel();
   const stripes = async () => crossings(await heatwalk.picture(), x, y - 150, y + 150);
   const before = await stripes();
   expect(before).toBeGreaterThanOrEqual(6);
+  return { heatwalk, place: [x, y] as const, stripes, before };
+}
 
+// Only WebGL lets a page lose its context on purpose; what follows is the same on both backends.
+test('a lost graphics context is restored with the scene intact', async ({ page }) => {
+  const { stripes, before } = await striped(page, 'WebGL2');
   const lost = await page.locator('.stage canvas').elementHandle();
   await page.evaluate(() => {
     document.querySelector('canvas')?.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
@@ -19,12 +25,8 @@ test('a lost graphics context is restored with the scene intact', async ({ page 
 });
 
 test('a renderer that traps restarts with the scene intact', async ({ page }, info) => {
-  const heatwalk = new HeatwalkPage(page, info.project.name === 'webgpu' ? 'WebGPU' : 'WebGL2');
-  await heatwalk.open();
-  const [x, y] = await heatwalk.pixelOnModel();
-  const stripes = async () => crossings(await heatwalk.picture(), x, y - 150, y + 150);
-  const before = await stripes();
-  expect(before).toBeGreaterThanOrEqual(6);
+  const backend = info.project.name === 'webgpu' ? 'WebGPU' : 'WebGL2';
+  const { heatwalk, place, stripes, before } = await striped(page, backend);
 
   // The next draw call ends the renderer as a panic does: nothing that was borrowed is given back.
   const canvas = await page.locator('.stage canvas').elementHandle();
@@ -38,7 +40,7 @@ test('a renderer that traps restarts with the scene intact', async ({ page }, in
     };
     Object.defineProperty(target, name, { ...original, value: trap });
   }, heatwalk.backend === 'WebGPU');
-  await page.mouse.move(x, y);
+  await page.mouse.move(...place);
   await page.mouse.wheel(0, 1);
   await expect.poll(() => canvas?.evaluate((element) => element.isConnected)).toBe(false);
   await expect.poll(() => page.evaluate(() => window.heatwalk.backend)).toBe(heatwalk.backend);

@@ -1,18 +1,25 @@
+import type { Locator } from '@playwright/test';
 import { grid, off, sphere } from '../fixtures';
-import { expect, openSection, test } from '../page';
+import { expect, type HeatwalkPage, openSection, test } from '../page';
 
 const NAME = 'grid.off';
 const CONTENT = off(grid(100));
 
 const REFUSED = /grid\.off was not opened: factoring takes ([\d.]+) MiB of memory/;
 
-test('a mesh whose factors do not fit is refused, and opens with conjugate gradients', async ({ heatwalk, page }) => {
-  await heatwalk.open(`#v=1&m=file&name=${NAME}&s=3&refine=0&memory=1`);
+/** The message that refuses the mesh; the one before stays. */
+async function refused(heatwalk: HeatwalkPage, options: string, why: RegExp): Promise<Locator> {
+  await heatwalk.open(`#v=1&m=file&name=${NAME}&s=3&refine=0&${options}`);
   const before = await heatwalk.mesh();
   await heatwalk.drop([[NAME, CONTENT]]);
-  const message = page.getByRole('alert');
-  await expect(message).toContainText(REFUSED);
+  const message = heatwalk.page.getByRole('alert');
+  await expect(message).toContainText(why);
   expect(await heatwalk.mesh()).toEqual(before);
+  return message;
+}
+
+test('a mesh whose factors do not fit is refused, and opens with conjugate gradients', async ({ heatwalk, page }) => {
+  const message = await refused(heatwalk, 'memory=1', REFUSED);
   expect((await heatwalk.scene()).mesh).toMatchObject({ kind: 'preset' });
   expect(await heatwalk.distanceAt({ vertex: 0 })).toBeGreaterThanOrEqual(0);
 
@@ -47,17 +54,13 @@ test('a setting whose factors do not fit keeps the field, and works with conjuga
   expect((await heatwalk.scene()).parameters.boundary).toBe('average');
 });
 
-test('a mesh that does not fit with so many windows opens with one', async ({ heatwalk, page }) => {
+test('a mesh that does not fit with so many windows opens with one', async ({ heatwalk }) => {
   // One window of each half-edge of 20 000 triangles takes 6 MiB, eight take 9.
-  await heatwalk.open(`#v=1&m=file&name=${NAME}&s=3&refine=0&method=auto&windows=8&memory=7`);
-  const before = await heatwalk.mesh();
-  await heatwalk.drop([[NAME, CONTENT]]);
-  const message = page.getByRole('alert');
-  await expect(message).toContainText(
+  const message = await refused(
+    heatwalk,
+    'method=auto&windows=8&memory=7',
     /grid\.off was not opened: 8 windows of each half-edge of 20000 triangles take 9\.\d MiB of memory, more than the 7\.0 MiB there are; keep one window, which fits, or use the native program/,
   );
-  expect(await heatwalk.mesh()).toEqual(before);
-
   await message.getByRole('button', { name: 'Use one window' }).click();
   await expect.poll(async () => (await heatwalk.mesh()).name).toBe(NAME);
   await expect(message).toBeEmpty();
@@ -66,15 +69,12 @@ test('a mesh that does not fit with so many windows opens with one', async ({ he
 });
 
 test('a mesh that does not fit is refused before it is built, with its size', async ({ heatwalk, page }) => {
-  await heatwalk.open(`#v=1&m=file&name=${NAME}&s=3&refine=0&method=auto&windows=8&memory=5`);
-  const before = await heatwalk.mesh();
-  await heatwalk.drop([[NAME, CONTENT]]);
-  const message = page.getByRole('alert');
-  await expect(message).toContainText(
+  const message = await refused(
+    heatwalk,
+    'method=auto&windows=8&memory=5',
     /grid\.off was not opened: a mesh of 20000 triangles takes 5\.\d MiB of memory, more than the 5\.0 MiB there are; use a mesh with fewer triangles, or the native program/,
   );
   await expect(message.getByRole('button', { name: 'Use one window' })).toBeHidden();
-  expect(await heatwalk.mesh()).toEqual(before);
   await expect(page.getByRole('button', { name: 'Cancel' })).toBeHidden();
 });
 

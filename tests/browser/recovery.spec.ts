@@ -21,6 +21,18 @@ const TRAP = [
   [0x0a, 0x0a, 0x01, 0x08, 0x00, 0x41, 0x01, 0x41, 0x00, 0x6d, 0x1a, 0x0b],
 ].flat();
 
+/** In the page: the next call of a function of WebGL ends as in a module that traps. */
+function trapIn({ bytes, name }: { bytes: readonly number[]; name: 'bufferData' | 'createFramebuffer' }): void {
+  const { trap } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(bytes))).exports;
+  const { prototype } = WebGL2RenderingContext;
+  const original = prototype[name];
+  const trapping = () => {
+    Object.assign(prototype, { [name]: original });
+    return (trap as () => never)();
+  };
+  Object.assign(prototype, { [name]: trapping });
+}
+
 /** What must outlive whatever fails. */
 async function everything(heatwalk: HeatwalkPage) {
   const { page } = heatwalk;
@@ -51,15 +63,7 @@ test('a mesh that cannot be drawn changes nothing, and the next one opens', asyn
   await heatwalk.rest();
   const before = await everything(heatwalk);
   const picture = await heatwalk.lastPicture();
-  await page.evaluate((bytes) => {
-    const { trap } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(bytes))).exports;
-    const { prototype } = WebGL2RenderingContext;
-    const { bufferData } = prototype;
-    prototype.bufferData = () => {
-      prototype.bufferData = bufferData;
-      (trap as () => void)();
-    };
-  }, TRAP);
+  await page.evaluate(trapIn, { bytes: TRAP, name: 'bufferData' as const });
   await heatwalk.drop([['ball.off', BALL]]);
   const alert = page.getByRole('alert');
   await expect(alert).toContainText('ball.off was not opened: The renderer failed and was restarted');
@@ -74,15 +78,7 @@ test('a mesh that cannot be drawn changes nothing, and the next one opens', asyn
 });
 
 test('a renderer that traps while it is made says so, and another one can be asked for', async ({ heatwalk, page }) => {
-  await page.addInitScript((bytes) => {
-    const { trap } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(bytes))).exports;
-    const { prototype } = WebGL2RenderingContext;
-    const { createFramebuffer } = prototype;
-    prototype.createFramebuffer = () => {
-      prototype.createFramebuffer = createFramebuffer;
-      return (trap as () => never)();
-    };
-  }, TRAP);
+  await page.addInitScript(trapIn, { bytes: TRAP, name: 'createFramebuffer' as const });
   await page.goto('./#v=1&m=teapot');
   const alert = page.getByRole('alert');
   await expect(alert).toContainText('The scene cannot be drawn');

@@ -73,6 +73,16 @@ function engine(components = 1, others: object = {}): { engine: Engine; calls: s
   return { engine: made, calls, letGo: () => slices.shift()?.() };
 }
 
+/** One that has answered, and refines that. */
+async function refining(question: Parameters<Engine['ask']>[0]) {
+  const made = engine();
+  const answer = await made.engine.ask(question);
+  if (!answer) throw new Error('no answer');
+  const refined = made.engine.refine(answer);
+  await soon();
+  return { ...made, answer, refined };
+}
+
 const kinds = (request: PathRequest | null) => (request ? [request.kind] : []);
 const soon = () => new Promise((resolve) => setTimeout(resolve, 5));
 
@@ -167,11 +177,7 @@ test('methods other than heat propagate windows, one while the pointer drags, an
 });
 
 test('a field that was refined is solved anew where refinement is not wanted any more', async () => {
-  const { engine: it, calls, letGo } = engine();
-  const first = await it.ask(QUESTION);
-  if (!first) throw new Error('no answer');
-  const refined = it.refine(first);
-  await soon();
+  const { engine: it, calls, letGo, refined } = await refining(QUESTION);
   letGo();
   expect((await refined)?.field?.refineMs).toBe(1);
   expect((await it.ask({ ...QUESTION, refines: false }))?.field?.refineMs).toBe(0);
@@ -181,11 +187,7 @@ test('a field that was refined is solved anew where refinement is not wanted any
 });
 
 test('propagation shows windows where another method has refined them', async () => {
-  const { engine: it, calls, letGo } = engine();
-  const answer = await it.ask({ ...QUESTION, method: 'auto' });
-  if (!answer) throw new Error('no answer');
-  const refined = it.refine(answer);
-  await soon();
+  const { engine: it, calls, letGo, refined } = await refining({ ...QUESTION, method: 'auto' });
   letGo();
   expect((await refined)?.field?.refineMs).toBe(1);
   expect((await it.ask({ ...QUESTION, method: 'exact' }))?.field?.refineMs).toBe(1);
@@ -205,11 +207,7 @@ test('a straightened path replaces the exact one until that is traced', async ()
 });
 
 test('a question during a refinement step discards its result and comes next', async () => {
-  const { engine: it, calls, letGo } = engine();
-  const answer = await it.ask(QUESTION);
-  if (!answer) throw new Error('no answer');
-  const refined = it.refine(answer);
-  await soon();
+  const { engine: it, calls, letGo, answer, refined } = await refining(QUESTION);
   const next = it.ask({ ...QUESTION, sources: [{ vertex: 5 }] });
   letGo();
   expect(await refined).toBeNull();

@@ -2,13 +2,15 @@ import { join } from 'node:path';
 import { expect, test } from '@playwright/test';
 import { onePage, readDocuments } from '../../tools/vite/docs';
 import { addressOf } from '../../web/ui/help/documents';
-import { SECTIONS, SETTINGS } from '../../web/ui/help/settings';
+import { explanationOf, SECTIONS, SETTINGS } from '../../web/ui/help/settings';
 
 const FOLDER = join(import.meta.dirname, '../../docs');
 const { pages, sections } = readDocuments(FOLDER);
 const seen = [
   ...Object.values(SECTIONS),
-  ...Object.values(SETTINGS).flatMap((lines) => Object.values(lines).map(({ see }) => see)),
+  ...Object.entries(SETTINGS).flatMap(([section, lines]) =>
+    Object.keys(lines).map((name) => explanationOf(section, name)?.see ?? ''),
+  ),
 ];
 
 test('every explanation leads to a heading of the documents', () => {

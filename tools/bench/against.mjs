@@ -1,13 +1,12 @@
 // npm run bench -- --against COMMIT: every public figure of this checkout and of another commit, in alternation.
 
-import { mkdirSync, writeFileSync } from 'node:fs';
-import { join, resolve } from 'node:path';
+import { resolve } from 'node:path';
 import { prepare } from '../needs.mjs';
 import { fail, root } from '../steps.mjs';
 import { Checkout, checkout } from './checkout.mjs';
 import { meshes as chosenMeshes } from './meshes.mjs';
 import { judge, LIMIT, median } from './ratios.mjs';
-import { digits, table } from './report.mjs';
+import { digits, save, table } from './report.mjs';
 import { fixed, timed } from './rows.mjs';
 
 /** Pairs that every row has, and those beyond which nothing is learned. */
@@ -131,9 +130,5 @@ function report(results) {
       : ['No row less accurate, none larger.']),
     '',
   ].join('\n');
-  const folder = join(root, 'target', 'bench');
-  mkdirSync(folder, { recursive: true });
-  writeFileSync(join(folder, 'against.json'), JSON.stringify(results, undefined, 2));
-  writeFileSync(join(folder, 'against.md'), text);
-  console.log(`\n${text}\nWritten to target/bench/against.json and target/bench/against.md.`);
+  save('against', results, text);
 }

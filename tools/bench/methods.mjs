@@ -1,7 +1,6 @@
 // npm run bench -- --methods: the methods that factor nothing, against potpourri3d's robust heat method: errors, and times
 // from positions, in alternation.
 
-import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { attempt, POTPOURRI3D, pythonWith } from '../peers.mjs';
 import { bundle, publishModules } from '../bundle.mjs';
@@ -11,7 +10,7 @@ import { description } from './checkout.mjs';
 import { folder, meshes as chosenMeshes } from './meshes.mjs';
 import { Programs } from './programs.mjs';
 import { judge, median } from './ratios.mjs';
-import { digits, table } from './report.mjs';
+import { digits, save, table } from './report.mjs';
 
 /** The least that give an interval. */
 const PAIRS = 6;
@@ -132,11 +131,7 @@ function report(meshes) {
     ...table(['mesh', 'memory', 'fields a second'], meshes.map(pageRow)),
     '',
   ].join('\n');
-  const target = join(root, 'target', 'bench');
-  mkdirSync(target, { recursive: true });
-  writeFileSync(join(target, 'methods.json'), JSON.stringify(results, undefined, 2));
-  writeFileSync(join(target, 'methods.md'), text);
-  console.log(`\n${text}\nWritten to target/bench/methods.json and target/bench/methods.md.`);
+  save('methods', results, text);
 }
 
 function timesTable(meshes) {

@@ -1,5 +1,9 @@
 // The results as Markdown.
 
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { root } from '../steps.mjs';
+
 const NAMES = {
   plain: 'pp3d heat',
   robust: 'pp3d robust',
@@ -18,40 +22,44 @@ export function markdown({ machine, date, commit, versions, meshes, drags, paint
     `Versions: ${versionList.join(', ')}. One thread each; medians of rounds in alternation.`,
     ...Object.values(skipped),
     blasWarning(meshes),
-    '',
-    '### Times',
-    '',
-    'Precompute / solve in ms; in brackets their ratios to pp3d robust. CHOLMOD: analysing and factoring both matrices /',
-    'one substitution with each. A star: the peer ran once.',
-    '',
-    ...timesTable(meshes),
-    '',
-    '### Stages of native precompute',
-    '',
-    ...stagesTable(meshes),
-    '',
-    "### faer's Cholesky under the same elimination order",
-    '',
-    'One heat matrix and one right side, factor / solve in ms; in brackets the ratios of this to faer.',
-    '',
-    ...factorsTable(meshes),
-    '',
-    '### Bars',
-    '',
-    ...barsTable(bars),
-    '',
-    '### Dragging a source, and painting',
-    '',
-    ...dragsTable([...drags, { ...painted, preset: `${painted.preset}, painted` }]),
-    '',
-    '### Bytes to the first picture, after brotli',
-    '',
-    ...bytesTable(firstPicture),
+    ...section(
+      'Times',
+      'Precompute / solve in ms; in brackets their ratios to pp3d robust. CHOLMOD: analysing and factoring both matrices /',
+      'one substitution with each. A star: the peer ran once.',
+      '',
+      ...timesTable(meshes),
+    ),
+    ...section('Stages of native precompute', ...stagesTable(meshes)),
+    ...section(
+      "faer's Cholesky under the same elimination order",
+      'One heat matrix and one right side, factor / solve in ms; in brackets the ratios of this to faer.',
+      '',
+      ...factorsTable(meshes),
+    ),
+    ...section('Bars', ...barsTable(bars)),
+    ...section(
+      'Dragging a source, and painting',
+      ...dragsTable([...drags, { ...painted, preset: `${painted.preset}, painted` }]),
+    ),
+    ...section('Bytes to the first picture, after brotli', ...bytesTable(firstPicture)),
     ...failures(meshes),
     '',
   ]
     .filter((line) => line !== null)
     .join('\n');
+}
+
+function section(heading, ...lines) {
+  return ['', `### ${heading}`, '', ...lines];
+}
+
+/** Writes results and what is told of them, and tells it. */
+export function save(name, results, text) {
+  const folder = join(root, 'target', 'bench');
+  mkdirSync(folder, { recursive: true });
+  writeFileSync(join(folder, `${name}.json`), JSON.stringify(results, undefined, 2));
+  writeFileSync(join(folder, `${name}.md`), text);
+  console.log(`\n${text}\nWritten to target/bench/${name}.json and target/bench/${name}.md.`);
 }
 
 /** The bytes of each file that the page loads until its first picture, with WebGPU and with WebGL2. */

@@ -32,6 +32,7 @@ const IMAGE_TYPES: Record<string, string> = {
 
 const TYPES: Record<string, string> = {
   ...IMAGE_TYPES,
+  '.css': 'text/css; charset=utf-8',
   '.html': 'text/html; charset=utf-8',
   '.json': 'application/json',
 };
@@ -39,18 +40,14 @@ const TYPES: Record<string, string> = {
 /** Where the pages are, relative to the page. */
 const FOLDER = 'docs';
 const SEARCH = 'web/docs/search.ts';
-const STYLE = 'web/docs/docs.css';
+/** The colors of the page, and what only documents have. */
+const STYLES = ['web/style/colors.css', 'web/docs/docs.css'];
+const STYLE = 'docs.css';
 
 interface Page {
   name: string;
   title: string;
   html: string;
-}
-
-/** Of the script and the style of all pages, as a page names them. */
-interface Addresses {
-  search: string;
-  style: string;
 }
 
 function rank(name: string): number {
@@ -110,15 +107,15 @@ function plain({ children }: Token): string {
   return (children ?? []).map(({ type, content }) => (type === 'softbreak' ? ' ' : content)).join('');
 }
 
-function pageOf({ title, html }: Omit<Page, 'name'>, pages: Page[], here: string, addresses: Addresses): string {
+function pageOf({ title, html }: Omit<Page, 'name'>, pages: Page[], here: string, search: string): string {
   const links = pages.map(({ name, title: other }) => {
     const current = name === here ? ' aria-current="page"' : '';
     return `<li><a href="./${name}.html"${current}>${escaped(other)}</a></li>`;
   });
   return shell(
     `${escaped(title)} – Heatwalk`,
-    `<link rel="stylesheet" href="${addresses.style}">
-<script type="module" src="${addresses.search}"></script>`,
+    `<link rel="stylesheet" href="./${STYLE}">
+<script type="module" src="${search}"></script>`,
     `<nav aria-label="Documents">
 <a class="home" href="../">Heatwalk</a>
 <input type="search" placeholder="Search" aria-label="Search in all documents" autocomplete="off">
@@ -153,18 +150,23 @@ function escaped(text: string): string {
   return text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
 }
 
-/** All files of `docs/` but for the script of the search: contents by path in that folder. */
-function filesOf(folder: string, addresses: Addresses): Map<string, string | Uint8Array> {
+/** All files of `docs/` but for the script of the search, which pages name so: contents by path in that folder. */
+function filesOf(folder: string, search: string): Map<string, string | Uint8Array> {
   const { pages, sections } = readDocuments(folder);
   const overview = pages.map(({ name, title }) => `<li><a href="./${name}.html">${escaped(title)}</a></li>`).join('\n');
   const index = { title: 'Documents', html: `<h1>Documents</h1>\n<ul>\n${overview}\n</ul>\n` };
-  const files = new Map<string, string | Uint8Array>([['index.html', pageOf(index, pages, '', addresses)]]);
-  for (const page of pages) files.set(`${page.name}.html`, pageOf(page, pages, page.name, addresses));
+  const files = new Map<string, string | Uint8Array>([['index.html', pageOf(index, pages, '', search)]]);
+  for (const page of pages) files.set(`${page.name}.html`, pageOf(page, pages, page.name, search));
+  files.set(STYLE, styleOf(folder));
   files.set('sections.json', JSON.stringify(sections));
   for (const path of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
     if (extname(path) in IMAGE_TYPES) files.set(path.replaceAll('\\', '/'), readFileSync(join(folder, path)));
   }
   return files;
+}
+
+function styleOf(folder: string): string {
+  return STYLES.map((path) => readFileSync(join(folder, '..', path), 'utf8')).join('\n');
 }
 
 /** All documents as one page of HTML, without images. Headings have the names of their documents and `--` before their own. */
@@ -184,7 +186,7 @@ export function onePage(folder: string): string {
   return shell(
     'Documents – Heatwalk',
     `<style>
-${readFileSync(join(folder, '..', STYLE), 'utf8')}</style>`,
+${styleOf(folder)}</style>`,
     `<nav aria-label="Documents">
 <ul>
 ${links.join('\n')}
@@ -219,14 +221,13 @@ export function docs(root: string): Plugin {
       if (isBuild) this.emitFile({ type: 'chunk', id: join(root, SEARCH), fileName: `${FOLDER}/search.js` });
     },
     generateBundle() {
-      const files = filesOf(folder, { search: './search.js', style: './docs.css' });
-      files.set('docs.css', readFileSync(join(root, STYLE)));
-      for (const [path, source] of files) this.emitFile({ type: 'asset', fileName: `${FOLDER}/${path}`, source });
+      for (const [path, source] of filesOf(folder, './search.js'))
+        this.emitFile({ type: 'asset', fileName: `${FOLDER}/${path}`, source });
     },
     configureServer(server) {
       server.middlewares.use(`/${FOLDER}`, (request, response, next) => {
         const path = new URL(request.url ?? '', 'http://localhost').pathname.slice(1) || 'index.html';
-        const content = filesOf(folder, { search: `/${SEARCH}`, style: `/${STYLE}` }).get(path);
+        const content = filesOf(folder, `/${SEARCH}`).get(path);
         if (content === undefined) return next();
         response.setHeader('Content-Type', TYPES[extname(path)]);
         response.end(content);

@@ -70,53 +70,31 @@ function preset(id: string, outline: Outline): Preset {
   };
 }
 
+/** From one vertex to the only source, at another. */
+const walk = (source: number, walker: number): Pick<Outline, 'sources' | 'walker'> => ({
+  sources: [at(source)],
+  walker: at(walker),
+});
+
 export const PRESETS: readonly [Preset, ...Preset[]] = [
   preset('bunny', {
     title: t('Bunny'),
     credit: t('Stanford Computer Graphics Laboratory; reduced, public domain'),
     load: async () => plainMesh('bunny', (await import('bunny')).default),
-    sources: [at(746)],
-    walker: at(896),
+    ...walk(746, 896),
     view: [-0.5, 0.25],
     style: 'zebra',
   }),
-  preset('robot', {
-    title: t('Robot'),
-    sources: [at(7407)],
-    walker: at(13758),
-    view: [0.55, 0.15],
-    style: 'model',
-    method: 'auto',
-  }),
-  preset('horse', {
-    title: t('Horse'),
-    sources: [at(6286)],
-    walker: at(7959),
-    view: [2.45, 0.15],
-    style: 'zebra',
-  }),
-  preset('animal', { title: t('Cow'), sources: [at(14829)], walker: at(12608), view: [0.6, 0.25], style: 'gold' }),
-  preset('triceratops', {
-    title: t('Triceratops'),
-    sources: [at(13535)],
-    walker: at(11760),
-    view: [0.55, 0.25],
-    style: 'lava',
-  }),
-  preset('skull', {
-    title: t('Skull'),
-    sources: [at(13241)],
-    walker: at(4799),
-    view: [1.8, 0.2],
-    style: 'bone',
-    parts: [0],
-  }),
+  preset('robot', { title: t('Robot'), ...walk(7407, 13758), view: [0.55, 0.15], style: 'model', method: 'auto' }),
+  preset('horse', { title: t('Horse'), ...walk(6286, 7959), view: [2.45, 0.15], style: 'zebra' }),
+  preset('animal', { title: t('Cow'), ...walk(14829, 12608), view: [0.6, 0.25], style: 'gold' }),
+  preset('triceratops', { title: t('Triceratops'), ...walk(13535, 11760), view: [0.55, 0.25], style: 'lava' }),
+  preset('skull', { title: t('Skull'), ...walk(13241, 4799), view: [1.8, 0.2], style: 'bone', parts: [0] }),
   preset('dragon', {
     title: t('Dragon'),
     credit: t('Stanford Computer Graphics Laboratory'),
     load: loadDragon,
-    sources: [at(19706)],
-    walker: at(11215),
+    ...walk(19706, 11215),
     view: [-0.25, 0.2],
     style: 'ember',
   }),
@@ -130,37 +108,22 @@ export const PRESETS: readonly [Preset, ...Preset[]] = [
     view: [0.4, 0.4],
     style: 'porcelain',
   }),
-  preset('maze', {
-    title: t('Maze'),
-    sources: [at(139)],
-    walker: at(0),
-    view: [0.45, 0.9],
-    style: 'water',
-    parts: [0],
-  }),
-  preset('high_genus', {
-    title: t('Handles'),
-    sources: [at(12823)],
-    walker: at(6105),
-    view: [1.75, 0.3],
-    style: 'jade',
-  }),
-  preset('ring', { title: t('Ring'), sources: [at(8700)], walker: at(7407), view: [0.3, 0.45], style: 'amethyst' }),
+  preset('maze', { title: t('Maze'), ...walk(139, 0), view: [0.45, 0.9], style: 'water', parts: [0] }),
+  preset('high_genus', { title: t('Handles'), ...walk(12823, 6105), view: [1.75, 0.3], style: 'jade' }),
+  preset('ring', { title: t('Ring'), ...walk(8700, 7407), view: [0.3, 0.45], style: 'amethyst' }),
   preset('hemisphere', {
     title: t('Hemisphere'),
-    sources: [at(2499)],
-    walker: at(4577),
+    ...walk(2499, 4577),
     view: [1.15, 0.45],
     style: 'citrus',
     parts: [0],
     boundary: 'average',
   }),
-  preset('terrain', { title: t('Terrain'), sources: [at(13814)], walker: at(128), view: [0.5, 0.6], style: 'contour' }),
+  preset('terrain', { title: t('Terrain'), ...walk(13814, 128), view: [0.5, 0.6], style: 'contour' }),
   preset('hike', {
     title: t('Hike'),
     load: () => Promise.resolve({ kind: 'shape', shape: 'terrain' }),
-    sources: [at(14851)],
-    walker: at(1795),
+    ...walk(14851, 1795),
     view: [0.5, 0.75],
     style: 'contour',
     method: 'auto',
@@ -168,8 +131,7 @@ export const PRESETS: readonly [Preset, ...Preset[]] = [
   }),
   preset('village', {
     title: t('Village'),
-    sources: [at(4066)],
-    walker: at(12600),
+    ...walk(4066, 12600),
     view: [0.35, 0.75],
     style: 'contour',
     method: 'auto',
@@ -207,14 +169,8 @@ export const PRESETS: readonly [Preset, ...Preset[]] = [
     method: 'auto',
     inside: { cut: 'wedge' },
   }),
-  preset('torus', { title: t('Torus'), sources: [at(7264)], walker: at(2998), view: [0.4, 0.7], style: 'neon' }),
-  preset('icosphere', {
-    title: t('Sphere'),
-    sources: [at(2889)],
-    walker: at(10217),
-    view: [1.3, 0.55],
-    style: 'citrus',
-  }),
+  preset('torus', { title: t('Torus'), ...walk(7264, 2998), view: [0.4, 0.7], style: 'neon' }),
+  preset('icosphere', { title: t('Sphere'), ...walk(2889, 10217), view: [1.3, 0.55], style: 'citrus' }),
 ];
 
 export const FIRST_PRESET = PRESETS[0];

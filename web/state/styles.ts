@@ -148,6 +148,12 @@ const profile = (width: number, period: number, relief: number, sharpness = 0.45
   sharpness,
 });
 
+/** Metalness, roughness and glow of the surface, and of the stripes. */
+const finishes = (
+  surface: Parameters<typeof finish>,
+  stripes: Parameters<typeof finish>,
+): Pick<Style, 'surface' | 'stripes'> => ({ surface: finish(...surface), stripes: finish(...stripes) });
+
 /** The file's own materials under thin stripes. */
 export const MODEL_STYLE = preset('model', 'chalk', '#14161a', {
   ...profile(0.16, 0.05, 0, 0.9),
@@ -157,65 +163,27 @@ export const MODEL_STYLE = preset('model', 'chalk', '#14161a', {
 export const STYLES: readonly [Style, ...Style[]] = [
   preset('zebra', 'chalk', '#17181b', {}),
   MODEL_STYLE,
-  preset('gold', 'gold', '#5a3a0e', {
-    ...profile(0.16, 0.05, -0.05),
-    surface: finish(1, 0.2),
-    stripes: finish(1, 0.45),
-  }),
-  preset('lava', 'coal', 'magma', {
-    ...profile(0.17, 0.05, -0.05),
-    surface: finish(0, 0.6),
-    stripes: finish(0, 0.4, 0.65),
-  }),
-  preset('bone', 'bone', '#2a3340', {
-    ...profile(0.24, 0.045, -0.045),
-    surface: finish(0, 0.55),
-    stripes: finish(0, 0.14),
-  }),
-  preset('water', 'ocean', '#3c4a78', {
-    ...profile(0.14, 0.04, 0.035),
-    surface: finish(0, 0.1),
-    stripes: finish(0, 0.3),
-  }),
+  preset('gold', 'gold', '#5a3a0e', { ...profile(0.16, 0.05, -0.05), ...finishes([1, 0.2], [1, 0.45]) }),
+  preset('lava', 'coal', 'magma', { ...profile(0.17, 0.05, -0.05), ...finishes([0, 0.6], [0, 0.4, 0.65]) }),
+  preset('bone', 'bone', '#2a3340', { ...profile(0.24, 0.045, -0.045), ...finishes([0, 0.55], [0, 0.14]) }),
+  preset('water', 'ocean', '#3c4a78', { ...profile(0.14, 0.04, 0.035), ...finishes([0, 0.1], [0, 0.3]) }),
   preset('neon', 'ink', 'glow', {
     ...profile(0.16, 0.05, 0.03, 0.5),
-    surface: finish(0.4, 0.28),
-    stripes: finish(0, 0.4, 1.1),
+    ...finishes([0.4, 0.28], [0, 0.4, 1.1]),
     surroundings: 'night',
   }),
   preset('porcelain', 'porcelain', '#1f46ae', {
     width: 0.2,
     relief: 0,
-    surface: finish(0, 0.09),
-    stripes: finish(0, 0.09),
+    ...finishes([0, 0.09], [0, 0.09]),
   }),
   preset('scientific', 'viridis', '#ffffff', { pattern: 'lines', width: 0.25, relief: 0, surface: finish(0, 0.6) }),
-  preset('candy', 'candy', '#c8102e', { surface: finish(0, 0.2), stripes: finish(0, 0.14) }),
-  preset('citrus', 'citrus', '#2b3138', {
-    ...profile(0.14, 0.05, -0.04),
-    surface: finish(0, 0.35),
-    stripes: finish(0, 0.3),
-  }),
-  preset('ember', 'ember', '#ffe9b0', {
-    ...profile(0.07, 0.05, 0.02),
-    surface: finish(0, 0.25),
-    stripes: finish(0, 0.3, 0.3),
-  }),
-  preset('amethyst', 'amethyst', '#fff3b8', {
-    ...profile(0.1, 0.045, 0.03),
-    surface: finish(0.35, 0.2),
-    stripes: finish(0, 0.3, 0.2),
-  }),
-  preset('jade', 'slate', '#8dff5a', {
-    ...profile(0.12, 0.05, 0.04),
-    surface: finish(0.3, 0.3),
-    stripes: finish(0, 0.35, 0.35),
-  }),
-  preset('copper', 'copper', '#3d1f16', {
-    ...profile(0.3, 0.045, -0.05),
-    surface: finish(1, 0.3),
-    stripes: finish(1, 0.6),
-  }),
+  preset('candy', 'candy', '#c8102e', finishes([0, 0.2], [0, 0.14])),
+  preset('citrus', 'citrus', '#2b3138', { ...profile(0.14, 0.05, -0.04), ...finishes([0, 0.35], [0, 0.3]) }),
+  preset('ember', 'ember', '#ffe9b0', { ...profile(0.07, 0.05, 0.02), ...finishes([0, 0.25], [0, 0.3, 0.3]) }),
+  preset('amethyst', 'amethyst', '#fff3b8', { ...profile(0.1, 0.045, 0.03), ...finishes([0.35, 0.2], [0, 0.3, 0.2]) }),
+  preset('jade', 'slate', '#8dff5a', { ...profile(0.12, 0.05, 0.04), ...finishes([0.3, 0.3], [0, 0.35, 0.35]) }),
+  preset('copper', 'copper', '#3d1f16', { ...profile(0.3, 0.045, -0.05), ...finishes([1, 0.3], [1, 0.6]) }),
   preset('lagoon', 'lagoon', '#0b2f3a', { ...profile(0.14, 0.05, -0.03), surface: finish(0, 0.25) }),
   preset('dusk', 'dusk', '#fff1d6', { ...profile(0.16, 0.045, 0.03), surface: finish(0, 0.3) }),
   preset('turbo', 'turbo', '#101114', {

@@ -115,16 +115,19 @@ export function slider({ label, min, max, step, describe, change }: SliderOption
   return { element: h('div', { class: 'field' }, h('span', { 'aria-hidden': 'true' }, label), output, input), show };
 }
 
+/** One of several choices. */
+export interface Choice<T> {
+  element: HTMLElement;
+  show: (value: T) => void;
+  /** Which of the choices can be made. A list shows the others too, radio buttons do not. */
+  offer: (isOffered: (value: T) => boolean) => void;
+}
+
 export function select<T extends string | number>(
   label: Words,
   choices: readonly (readonly [T, Words])[],
   change: (value: T) => void,
-): {
-  element: HTMLElement;
-  show: (value: T) => void;
-  /** Which of the choices can be made. */
-  allow: (isAllowed: (value: T) => boolean) => void;
-} {
+): Choice<T> {
   const options = choices.map(([value, text]) => h('option', { value }, text));
   const input = h('select', { onchange: () => change(entry(choices, input.selectedIndex)[0]) }, ...options);
   return {
@@ -132,9 +135,9 @@ export function select<T extends string | number>(
     show: (value) => {
       input.value = String(value);
     },
-    allow: (isAllowed) => {
+    offer: (isOffered) => {
       choices.forEach(([value], i) => {
-        entry(options, i).disabled = !isAllowed(value);
+        entry(options, i).disabled = !isOffered(value);
       });
     },
   };
@@ -187,12 +190,7 @@ export function radios<T extends string>(
   label: Words,
   choices: readonly (readonly [T, Words])[],
   change: (value: T) => void,
-): {
-  element: HTMLElement;
-  show: (value: T) => void;
-  /** Which of the choices there are. */
-  offer: (isOffered: (value: T) => boolean) => void;
-} {
+): Choice<T> {
   const name = `radios-${++groups}`;
   const options = choices.map(([value, text]) => {
     const input = h('input', { type: 'radio', name, onchange: () => change(value) });

@@ -32,6 +32,8 @@ export const EDGE_GROUPS = ['overlays', 'lines', 'path', 'girth', 'tapes'] as co
 export type EdgeGroup = (typeof EDGE_GROUPS)[number];
 export const NO_EDGES: Picture['edges'] = { overlays: [], lines: [], path: [], girth: [], tapes: [] };
 
+/** What has places on the surface, or values of its vertices. */
+const ON_SURFACE = ['field', 'inside', 'otherInside', 'pins', 'path', 'walker', 'crowd', 'arrows', 'edges'] as const;
 /** The order in which the parts of a picture must be given: the surface clears what depends on it. */
 export const ORDER = [
   'background',
@@ -44,32 +46,12 @@ export const ORDER = [
   'lights',
   'style',
   'offset',
-  'field',
-  'inside',
-  'otherInside',
-  'pins',
-  'path',
-  'walker',
-  'crowd',
-  'arrows',
-  'edges',
+  ...ON_SURFACE,
   'lens',
   'spin',
 ] as const;
 export type Layer = (typeof ORDER)[number];
-export const CLEARED_BY_SURFACE: readonly Layer[] = [
-  'pose',
-  'ground',
-  'field',
-  'inside',
-  'otherInside',
-  'pins',
-  'path',
-  'walker',
-  'crowd',
-  'arrows',
-  'edges',
-];
+export const CLEARED_BY_SURFACE: readonly Layer[] = ['pose', 'ground', ...ON_SURFACE];
 /** What answers bring, several of them while one frame is drawn: given to the renderer with the frame that shows it. */
 export const WITH_FRAME: ReadonlySet<Layer> = new Set(['offset', 'field', 'pins', 'path', 'walker', 'crowd', 'arrows']);
 /** What a preview has from the scene that it stands before. */

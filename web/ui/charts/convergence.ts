@@ -9,7 +9,7 @@ import { h, say } from '../dom';
 import { withUnit } from '../../state/measures';
 import { fileNameOf, tenths } from '../words';
 import { figure } from './figure';
-import { markdownButton, measuring } from './measuring';
+import { markdownButton, measurement, measuring } from './measuring';
 import type { Chart, Series } from './plot';
 import { count, t, type Words } from '../../texts';
 
@@ -71,16 +71,10 @@ export function convergenceStudy(session: Session): HTMLElement {
     ),
   );
   const most = h('p', { class: 'quiet' }, t`At most ${count(MOST_TRIANGLES / 4)} triangles can be split.`);
-  const element = h(
-    'section',
-    { class: 'stack measured', 'aria-label': t('Convergence') },
-    h('h2', {}, t('Convergence')),
-    h(
-      'p',
-      { class: 'quiet' },
-      t(
-        'The errors of heat, without an exact region, and of propagation, both by the present settings: on this surface, and on the same one with each triangle split in four, up to twice.',
-      ),
+  const element = measurement(
+    t('Convergence'),
+    t(
+      'The errors of heat, without an exact region, and of propagation, both by the present settings: on this surface, and on the same one with each triangle split in four, up to twice.',
     ),
     most,
     button,

@@ -51,6 +51,17 @@ export function measuring({ label, steps, measure, ended }: Task): Measuring {
   return { button, progress, said, cancel: () => running?.abort() };
 }
 
+/** A section of what is measured, and what it is. */
+export function measurement(title: Words, about: Words, ...content: HTMLElement[]): HTMLElement {
+  return h(
+    'section',
+    { class: 'stack measured', 'aria-label': title },
+    h('h2', {}, title),
+    h('p', { class: 'quiet' }, about),
+    ...content,
+  );
+}
+
 /** A button that puts Markdown on the clipboard. */
 export function markdownButton(text: () => string, said: HTMLElement, instead: Words): HTMLElement {
   const give = async () => {

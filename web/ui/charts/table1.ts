@@ -3,7 +3,7 @@ import { measureTable } from '../../solver/table1';
 import { csvOf, markdownOf, milliseconds, REPORT, reportOf, type Row, type Times } from '../../state/table1';
 import { save } from '../../view/picture';
 import { h, say } from '../dom';
-import { markdownButton, measuring } from './measuring';
+import { markdownButton, measurement, measuring } from './measuring';
 import { trianglesWords } from '../words';
 import { t, type Words } from '../../texts';
 
@@ -51,16 +51,10 @@ export function table1(): HTMLElement {
   const saveCsv = h('button', { class: 'small' }, t('Save as CSV'));
   const saving = h('div', { class: 'saving', hidden: true }, copy, saveCsv);
   saveCsv.addEventListener('click', () => save(new Blob([csvOf(rows)], { type: 'text/csv' }), 'table1.csv'));
-  return h(
-    'section',
-    { class: 'stack measured', 'aria-label': t('Table 1 of the report') },
-    h('h2', {}, t('Table 1 of the report')),
-    h(
-      'p',
-      { class: 'quiet' },
-      t(
-        'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of the same numbers of triangles. The report measured by ALGLIB in C# on a laptop of 2015.',
-      ),
+  return measurement(
+    t('Table 1 of the report'),
+    t(
+      'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of the same numbers of triangles. The report measured by ALGLIB in C# on a laptop of 2015.',
     ),
     button,
     progress,

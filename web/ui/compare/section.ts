@@ -147,7 +147,7 @@ export function compareSection(session: Session, comparison: Comparison): HTMLEl
     refine.element.hidden = isInside || !(isByHeat || compared.method === 'auto');
     for (const { element } of [factor, boundary, operator, solver]) element.hidden = !isByHeat;
     operator.element.hidden ||= isInside;
-    method.allow((name) => isMethodOf(name, isInside));
+    method.offer((name) => isMethodOf(name, isInside));
     const { timeStep } = compared.parameters;
     method.show(compared.method);
     windows.show(compared.windows);

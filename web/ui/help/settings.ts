@@ -1,11 +1,8 @@
 import { t, type Words } from '../../texts';
 
-/**
- * A line on every setting of the panel, by section and by the name that it has there; `see` is a heading of the documents.
- * Every control of the panel has one: a test looks.
- */
 export interface Explanation {
   line: Words;
+  /** A heading of the documents. */
   see: string;
 }
 
@@ -13,9 +10,12 @@ const about = (line: Words, see: string): Explanation => ({ line, see });
 
 /** That of a setting by the name that it is shown by. */
 export function explanationOf(section: string, shown: string): Explanation | undefined {
-  return Object.entries(SETTINGS[section] ?? {}).find(([name]) => String(t(name)) === shown)?.[1];
+  const found = Object.entries(SETTINGS[section] ?? {}).find(([name]) => String(t(name)) === shown)?.[1];
+  if (found === undefined || (typeof found === 'object' && 'see' in found)) return found;
+  return about(found, SECTIONS[section] ?? '');
 }
 
+/** Of each section a heading of the documents. */
 export const SECTIONS: Record<string, string> = {
   scene: 'page#opening',
   animation: 'page#animations',
@@ -34,7 +34,11 @@ export const SECTIONS: Record<string, string> = {
   share: 'page#link',
 };
 
-export const SETTINGS: Record<string, Record<string, Explanation>> = {
+/**
+ * A line on every setting of the panel, by section and by the name that it has there; with a heading where that is not the section's.
+ * Every control of the panel has one: a test looks.
+ */
+export const SETTINGS: Record<string, Record<string, Words | Explanation>> = {
   scene: {
     'Correct unit': about(
       t(
@@ -50,40 +54,31 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
     ),
   },
   animation: {
-    Animation: about(t('Which of the animations of the file is shown.'), 'page#animations'),
-    Time: about(t('The moment at which the model stands, or begins to play.'), 'page#animations'),
-    Speed: about(t('Times as fast as the file says.'), 'page#animations'),
-    Loop: about(t('Begins again at the end.'), 'page#animations'),
-    Distance: about(t('Measured in the pose of the file, or anew in each pose that is shown.'), 'page#animations'),
+    Animation: t('Which of the animations of the file is shown.'),
+    Time: t('The moment at which the model stands, or begins to play.'),
+    Speed: t('Times as fast as the file says.'),
+    Loop: t('Begins again at the end.'),
+    Distance: t('Measured in the pose of the file, or anew in each pose that is shown.'),
   },
   measure: {
-    'Unit of the known length': about(t('The unit of lengths from then on.'), 'page#tapes'),
+    'Unit of the known length': t('The unit of lengths from then on.'),
   },
   girth: {
-    'Measure the girth': about(
-      t('Shows the curves in which a plane cuts the surface, with their lengths.'),
-      'page#girth',
-    ),
-    Position: about(t('Where the plane is, from one end of the mesh to the other.'), 'page#girth'),
-    Turn: about(t('Direction of the plane around the axis that points up.'), 'page#girth'),
-    Tilt: about(t('How far the direction of the plane is over the horizon; 90° is level.'), 'page#girth'),
-    'Girth file': about(
-      t('The curves in millimeters (DXF), in meters (GLB) or in the unit that is shown.'),
-      'page#girth',
-    ),
+    'Measure the girth': t('Shows the curves in which a plane cuts the surface, with their lengths.'),
+    Position: t('Where the plane is, from one end of the mesh to the other.'),
+    Turn: t('Direction of the plane around the axis that points up.'),
+    Tilt: t('How far the direction of the plane is over the horizon; 90° is level.'),
+    'Girth file': t('The curves in millimeters (DXF), in meters (GLB) or in the unit that is shown.'),
   },
   sources: {
-    Draw: about(
-      t('What a click or a drag on the surface adds: a line, a stroke, a whole boundary or part.'),
-      'page#sources',
-    ),
+    Draw: t('What a click or a drag on the surface adds: a line, a stroke, a whole boundary or part.'),
   },
   ground: {
-    Brush: about(t('A drag on the surface paints instead of orbiting.'), 'page#ground'),
-    Tool: about(t('What a stroke or a click does to the ground.'), 'page#ground'),
+    Brush: t('A drag on the surface paints instead of orbiting.'),
+    Tool: t('What a stroke or a click does to the ground.'),
     Cost: about(t('What a unit of length costs where it is painted; 1 is bare ground.'), 'method#costs-and-walls'),
-    Size: about(t('Radius of the brush.'), 'page#ground'),
-    'Soft edge': about(t('Share of the brush in which the cost fades out.'), 'page#ground'),
+    Size: t('Radius of the brush.'),
+    'Soft edge': t('Share of the brush in which the cost fades out.'),
     Slope: about(
       t(
         'Steep ground costs what a hiker takes there, as the mean of uphill and downhill, by Tobler’s hiking function.',
@@ -97,18 +92,18 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
       t('About how many fill what the surface encloses; more are slower and closer to the surface.'),
       'method#filling',
     ),
-    'Cut away': about(t('Shows the inside: half of the mesh is left out, or a wedge of it.'), 'page#inside'),
-    Position: about(t('Where the cut is, from one end of the mesh to the other.'), 'page#inside'),
-    Turn: about(t('Direction of the cut around the axis that points up.'), 'page#inside'),
-    Tilt: about(t('How far the cut leans over the horizon.'), 'page#inside'),
-    Opening: about(t('Angle of the wedge.'), 'page#inside'),
-    'Whole tetrahedra': about(t('Tetrahedra stay whole at the cut instead of being sliced.'), 'page#inside'),
-    'Pull apart': about(t('Moves tetrahedra away from each other, so that all of them are seen.'), 'page#inside'),
-    Shells: about(t('From one surface of equal distance to the next.'), 'page#inside'),
-    'Arrows inside': about(t('Directions in which the distance grows, on the cut.'), 'page#inside'),
+    'Cut away': t('Shows the inside: half of the mesh is left out, or a wedge of it.'),
+    Position: t('Where the cut is, from one end of the mesh to the other.'),
+    Turn: t('Direction of the cut around the axis that points up.'),
+    Tilt: t('How far the cut leans over the horizon.'),
+    Opening: t('Angle of the wedge.'),
+    'Whole tetrahedra': t('Tetrahedra stay whole at the cut instead of being sliced.'),
+    'Pull apart': t('Moves tetrahedra away from each other, so that all of them are seen.'),
+    Shells: t('From one surface of equal distance to the next.'),
+    'Arrows inside': t('Directions in which the distance grows, on the cut.'),
   },
   solver: {
-    Method: about(t('How distance is found: at once by windows, smooth by heat, or exact.'), 'page#methods'),
+    Method: t('How distance is found: at once by windows, smooth by heat, or exact.'),
     'Refine to exact': about(
       t('Makes the distance exact, from the sources outward, while nothing moves.'),
       'page#refinement',
@@ -145,36 +140,36 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
     Windows: about(t('Windows kept of each half-edge: more are closer to exact and slower.'), 'method#propagation'),
   },
   compare: {
-    Method: about(t('How distance is found right of the divider.'), 'page#comparing'),
-    Windows: about(t('Windows that each half-edge keeps there.'), 'page#comparing'),
-    'Refine to exact': about(t('Whether the field there is made exact at rest.'), 'page#comparing'),
-    'Time factor m': about(t('How long heat flows there: t = m h².'), 'page#comparing'),
-    Boundary: about(t('What boundaries of the surface do to heat there.'), 'page#comparing'),
-    Operator: about(t('What triangles the Laplacian there is of.'), 'page#comparing'),
-    'Linear solver': about(t('How linear systems are solved there.'), 'page#comparing'),
+    Method: t('How distance is found right of the divider.'),
+    Windows: t('Windows that each half-edge keeps there.'),
+    'Refine to exact': t('Whether the field there is made exact at rest.'),
+    'Time factor m': t('How long heat flows there: t = m h².'),
+    Boundary: t('What boundaries of the surface do to heat there.'),
+    Operator: t('What triangles the Laplacian there is of.'),
+    'Linear solver': t('How linear systems are solved there.'),
   },
   style: {
-    Pattern: about(t('Bands, thin lines, or only the colors of the surface.'), 'gallery'),
-    Period: about(t('From one stripe to the next.'), 'gallery'),
-    'Stripe width': about(t('Share of the period that a stripe covers.'), 'gallery'),
-    Offset: about(t('Moves the stripes away from the sources.'), 'gallery'),
-    Sharpness: about(t('Hard or soft edges of stripes.'), 'gallery'),
-    Relief: about(t('Stripes stand out of the surface, or are grooves in it.'), 'gallery'),
-    Flow: about(t('Stripes run away from the sources, or towards them.'), 'gallery'),
+    Pattern: t('Bands, thin lines, or only the colors of the surface.'),
+    Period: t('From one stripe to the next.'),
+    'Stripe width': t('Share of the period that a stripe covers.'),
+    Offset: t('Moves the stripes away from the sources.'),
+    Sharpness: t('Hard or soft edges of stripes.'),
+    Relief: t('Stripes stand out of the surface, or are grooves in it.'),
+    Flow: t('Stripes run away from the sources, or towards them.'),
     Surface: about(t('Colors and materials of the style, or those of the file.'), 'page#materials'),
     'Stripes lie': about(t('How stripes cover the materials of a file.'), 'page#materials'),
-    Stripes: about(t('Color ramp of the stripes over the distance.'), 'gallery'),
-    'Stripe color': about(t('One color for all stripes.'), 'gallery'),
-    Color: about(t('Whether stripes change the color.'), 'gallery'),
-    Normal: about(t('Whether stripes change the normals, and so stand out in the light.'), 'gallery'),
-    Emission: about(t('Whether stripes glow.'), 'gallery'),
-    'Specular (separate stripe material)': about(t('Whether stripes have a material of their own.'), 'gallery'),
-    'Surface metalness': about(t('Plastic or metal between the stripes.'), 'gallery'),
-    'Surface roughness': about(t('Mirror or chalk between the stripes.'), 'gallery'),
-    'Surface emission': about(t('Light that comes out of the surface.'), 'gallery'),
-    'Stripe metalness': about(t('Plastic or metal on the stripes.'), 'gallery'),
-    'Stripe roughness': about(t('Mirror or chalk on the stripes.'), 'gallery'),
-    'Stripe emission': about(t('Light that comes out of the stripes.'), 'gallery'),
+    Stripes: t('Color ramp of the stripes over the distance.'),
+    'Stripe color': t('One color for all stripes.'),
+    Color: t('Whether stripes change the color.'),
+    Normal: t('Whether stripes change the normals, and so stand out in the light.'),
+    Emission: t('Whether stripes glow.'),
+    'Specular (separate stripe material)': t('Whether stripes have a material of their own.'),
+    'Surface metalness': t('Plastic or metal between the stripes.'),
+    'Surface roughness': t('Mirror or chalk between the stripes.'),
+    'Surface emission': t('Light that comes out of the surface.'),
+    'Stripe metalness': t('Plastic or metal on the stripes.'),
+    'Stripe roughness': t('Mirror or chalk on the stripes.'),
+    'Stripe emission': t('Light that comes out of the stripes.'),
     Lighting: about(t('What surrounds the model.'), 'page#cameras-and-lights'),
     'Rotate lighting': about(t('Turns the surroundings around the model.'), 'page#cameras-and-lights'),
   },
@@ -208,15 +203,12 @@ export const SETTINGS: Record<string, Record<string, Explanation>> = {
     'Lights of the file': about(t('Lights of the file in the place of those of the style.'), 'page#cameras-and-lights'),
   },
   export: {
-    'Isolines at': about(
-      t('A spacing, or values with commas between them; the period of the stripes where it is empty.'),
-      'page#curves-and-data',
-    ),
-    File: about(t('Curves, or the surface cut along them into strips, also unrolled.'), 'page#curves-and-data'),
-    Distances: about(t('A number a vertex, as a table or with the mesh.'), 'page#curves-and-data'),
-    Path: about(t('The places that the walker comes through.'), 'page#curves-and-data'),
-    Tracks: about(t('The ways of the crowd, one for each walker.'), 'page#curves-and-data'),
-    'Reproduce by': about(t('The lines that give the same numbers outside of the page.'), 'page#curves-and-data'),
+    'Isolines at': t('A spacing, or values with commas between them; the period of the stripes where it is empty.'),
+    File: t('Curves, or the surface cut along them into strips, also unrolled.'),
+    Distances: t('A number a vertex, as a table or with the mesh.'),
+    Path: t('The places that the walker comes through.'),
+    Tracks: t('The ways of the crowd, one for each walker.'),
+    'Reproduce by': t('The lines that give the same numbers outside of the page.'),
   },
   share: {
     'Image size': about(t('Pixels of a saved image, as a multiple of the window.'), 'page#images-and-videos'),

@@ -55,17 +55,15 @@ export function enclosureWords({ tape, legs, enclosure }: MeasuredTape, unit: Le
     return t('This tape leads through the inside, where no one surface spans it, so it encloses no area.');
   }
   if (!enclosure) return null;
-  switch (enclosure.kind) {
-    case 'sides':
-      return t`Area enclosed: ${area(enclosure.area, unit)}.`;
-    case 'whole':
-      return t('This tape does not part the surface in two, so it encloses no area.');
-    case 'crossed':
-      return t('This tape crosses itself, so it encloses no area.');
-    case 'sideless':
-      return t('The surface has no two sides of this tape, so it encloses no area.');
-  }
+  if (enclosure.kind === 'sides') return t`Area enclosed: ${area(enclosure.area, unit)}.`;
+  return NO_AREA[enclosure.kind];
 }
+
+const NO_AREA = {
+  whole: t('This tape does not part the surface in two, so it encloses no area.'),
+  crossed: t('This tape crosses itself, so it encloses no area.'),
+  sideless: t('The surface has no two sides of this tape, so it encloses no area.'),
+} as const;
 
 export function placeName(point: MeshPoint): Words {
   if ('vertex' in point) return t`vertex ${point.vertex}`;

@@ -14,14 +14,22 @@ interface ToolButton {
   path: string;
 }
 
+/** One whose tip is what it does and its key. */
+const plainTool = (tool: Tool & keyof typeof KEYS, name: Words, does: Words, path: string): ToolButton => ({
+  tool,
+  name,
+  tip: withKey(does, KEYS[tool]),
+  path,
+});
+
 /** Those that are always there. */
 const TOOLS: readonly ToolButton[] = [
-  {
-    tool: 'source',
-    name: t('Source'),
-    tip: withKey(t('Click sets the source'), KEYS.source),
-    path: 'M10 18s-5-5.2-5-9a5 5 0 0 1 10 0c0 3.800-5 9-5 9zM10 9.100v-.2',
-  },
+  plainTool(
+    'source',
+    t('Source'),
+    t('Click sets the source'),
+    'M10 18s-5-5.2-5-9a5 5 0 0 1 10 0c0 3.800-5 9-5 9zM10 9.100v-.2',
+  ),
   {
     tool: 'add',
     name: t('Add'),
@@ -45,38 +53,23 @@ const TOOLS: readonly ToolButton[] = [
 /** Those of a workspace, while it is open. */
 const TOOLS_OF: Partial<Record<Workspace, readonly ToolButton[]>> = {
   scene: [
-    {
-      tool: 'line',
-      name: t('Line'),
-      tip: withKey(t('Draw a line of sources along edges'), KEYS.line),
-      path: 'M3 16l5-7 5 3 4-8',
-    },
-    {
-      tool: 'stroke',
-      name: t('Stroke'),
-      tip: withKey(t('Draw a stroke of sources'), KEYS.stroke),
-      path: 'M3 14c3-9 5-9 7-4s4 5 7-4',
-    },
-    {
-      tool: 'boundary',
-      name: t('Boundary'),
-      tip: withKey(t('Make a whole boundary a source'), KEYS.boundary),
-      path: 'M10 4c4 0 7 2.500 7 6s-3 6-7 6-7-2.500-7-6 3-6 7-6z',
-    },
-    {
-      tool: 'part',
-      name: t('Part'),
-      tip: withKey(t('Make a whole part a source'), KEYS.part),
-      path: 'M3 8l5-4 5 4v6l-5 3-5-3zM13 8l4-2v6l-4 2',
-    },
+    plainTool('line', t('Line'), t('Draw a line of sources along edges'), 'M3 16l5-7 5 3 4-8'),
+    plainTool('stroke', t('Stroke'), t('Draw a stroke of sources'), 'M3 14c3-9 5-9 7-4s4 5 7-4'),
+    plainTool(
+      'boundary',
+      t('Boundary'),
+      t('Make a whole boundary a source'),
+      'M10 4c4 0 7 2.500 7 6s-3 6-7 6-7-2.500-7-6 3-6 7-6z',
+    ),
+    plainTool('part', t('Part'), t('Make a whole part a source'), 'M3 8l5-4 5 4v6l-5 3-5-3zM13 8l4-2v6l-4 2'),
   ],
   ground: [
-    {
-      tool: 'brush',
-      name: t('Brush'),
-      tip: withKey(t('The pointer paints the ground'), KEYS.brush),
-      path: 'M16.500 3.500c-4 2-6.500 5-7.500 7l1.500 1.500c2-1 5-3.500 6-8.500zM8 11.500c-2 0-3 1-3 3 0 1-.5 1.500-1.500 2 3 .5 5.500-.5 6-3.500',
-    },
+    plainTool(
+      'brush',
+      t('Brush'),
+      t('The pointer paints the ground'),
+      'M16.500 3.500c-4 2-6.500 5-7.500 7l1.500 1.500c2-1 5-3.500 6-8.500zM8 11.500c-2 0-3 1-3 3 0 1-.5 1.500-1.500 2 3 .5 5.500-.5 6-3.500',
+    ),
   ],
 };
 const CUT = 'M3 6l7-3 7 3v8l-7 3-7-3zM3 6l14 8';

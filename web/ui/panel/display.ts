@@ -89,7 +89,7 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
   };
   const show = () => {
     const { colorBy: shown, overlays: drawn, method } = scene.state;
-    colorBy.allow((field) => method === 'heat' || !OF_HEAT.colorBy.includes(field));
+    colorBy.offer((field) => method === 'heat' || !OF_HEAT.colorBy.includes(field));
     colorBy.show(shown);
     up.show(scene.state.up);
     lights.show(scene.state.lights === 'file');

@@ -88,37 +88,23 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
   );
 
   const tooMany = h('p', { class: 'warning', role: 'status', hidden: true });
-  const keep = h(
-    'button',
-    {
-      class: 'small',
-      title: t('All sources as a CSV file, which can be dropped on the page'),
-      onclick: () =>
-        void (async () => {
-          const { tableOf } = await import('../../session/sets');
-          save(new Blob([tableOf(session)], { type: 'text/csv' }), 'sources.csv');
-        })().catch((error: unknown) => session.fail(error)),
-    },
-    t('Save sources'),
-  );
+  const button = (name: Words, title: Words, run: () => Promise<void>) => {
+    const onclick = () => void run().catch((error: unknown) => session.fail(error));
+    return h('button', { class: 'small', title, onclick }, name);
+  };
+  const keep = button(t('Save sources'), t('All sources as a CSV file, which can be dropped on the page'), async () => {
+    const { tableOf } = await import('../../session/sets');
+    save(new Blob([tableOf(session)], { type: 'text/csv' }), 'sources.csv');
+  });
   const clear = h(
     'button',
     { class: 'small', onclick: () => scene.edit({ sources: [], sets: [], selected: -1 }) },
     t('Delete all'),
   );
-  const close = h(
-    'button',
-    {
-      class: 'small',
-      title: t('Joins the end of the selected curve with its beginning'),
-      onclick: () =>
-        void (async () => {
-          const curve = openCurve(scene);
-          if (curve) await (await import('../../session/sets')).closeLine(session, curve);
-        })().catch((error: unknown) => session.fail(error)),
-    },
-    t('Close curve'),
-  );
+  const close = button(t('Close curve'), t('Joins the end of the selected curve with its beginning'), async () => {
+    const curve = openCurve(scene);
+    if (curve) await (await import('../../session/sets')).closeLine(session, curve);
+  });
   const keeping = h('div', { class: 'linking', hidden: true }, close, keep, clear);
   const showSets = () => {
     const { sets, sources } = scene.state;

@@ -127,7 +127,7 @@ export function solverSection(session: Session): HTMLElement {
     for (const element of [...ofHeat, ...moreOfHeat]) element.hidden = !isByHeat;
     const isInside = (session.shown.value?.opened.interior ?? null) !== null;
     for (const element of moreOfWindows) element.hidden = isByHeat || isInside;
-    method.allow((name) => isMethodOf(name, isInside));
+    method.offer((name) => isMethodOf(name, isInside));
     method.show(state.method);
     say(hint, isInside && !isByHeat ? INSIDE_HINT : METHOD_HINTS[state.method]);
     windows.show(state.windows);

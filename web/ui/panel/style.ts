@@ -182,7 +182,7 @@ function colours(session: Session, change: Change): Part {
       const hasMaterials = Boolean(session.shown.value?.opened.appearance);
       const isOfFile = surfaceOf === 'file' && hasMaterials;
       surface.show(isOfFile ? OF_FILE : ramp);
-      surface.allow((value) => value !== OF_FILE || hasMaterials);
+      surface.offer((value) => value !== OF_FILE || hasMaterials);
       blend.show(chosen);
       blend.element.hidden = !isOfFile;
       stripes.show(isRamp(stripe) ? stripe : SINGLE_COLOR);

@@ -54,7 +54,7 @@ export function unitControls({ scene, shown }: Session): HTMLElement[] {
     if (automatic)
       say(automatic, symbol ? (assumed ? t`${symbol} (assumed)` : t`${symbol} (of the file)`) : t('automatic (none)'));
     if (own) say(own, told.symbol ? t`${told.symbol} (not converted)` : t('not converted'));
-    convert.allow((name) => name === OWN || isKnown(told));
+    convert.offer((name) => name === OWN || isKnown(told));
     attribute(
       convert.element,
       'title',
