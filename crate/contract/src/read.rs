@@ -9,27 +9,27 @@ use syn::{Attribute, Expr, Ident, Item, ItemEnum, ItemStruct, Lit, LitStr, Meta,
 /// Everything that is defined, in the order of the sources.
 #[derive(Default)]
 pub struct Definitions {
-    pub words: Vec<Word>,
-    pub numbers: Vec<Numbers>,
+    pub constants: Vec<Constant>,
     pub choices: Vec<Choice>,
-    pub ranges: Vec<Range>,
     pub options: Vec<Options>,
     enums: BTreeMap<String, Enum>,
 }
 
-/// `pub const NAME: &str`.
-pub struct Word {
+/// `pub const NAME`.
+pub struct Constant {
+    /// The type that it is of.
+    pub of: Option<String>,
     pub name: String,
     pub doc: Vec<String>,
-    pub value: String,
+    pub value: Value,
 }
 
-/// `pub const NAME` of whole numbers: one, or an array.
-pub struct Numbers {
-    pub name: String,
-    pub doc: Vec<String>,
-    pub values: Vec<u32>,
-    pub is_array: bool,
+/// What a constant is.
+pub enum Value {
+    Word(String),
+    Number(f64),
+    /// An array, or both ends of a range.
+    Numbers(Vec<f64>),
 }
 
 /// An enum that `choice!` gives names.
@@ -46,14 +46,6 @@ pub struct Variant {
     pub name: String,
     pub former_names: Vec<String>,
     pub doc: Vec<String>,
-}
-
-/// `pub const NAME: RangeInclusive<f64>` of a type.
-pub struct Range {
-    pub of: String,
-    pub name: String,
-    pub doc: Vec<String>,
-    pub ends: [f64; 2],
 }
 
 /// A struct whose fields are choices, or numbers that may be left to the solver.
@@ -125,13 +117,9 @@ impl Definitions {
                 }
                 Item::Struct(item) if is_public(&item.vis) => self.read_options(&item)?,
                 Item::Const(item) if is_public(&item.vis) => {
-                    let (name, doc) = (item.ident.to_string(), doc(&item.attrs));
-                    if let Expr::Lit(value) = &*item.expr
-                        && let Lit::Str(value) = &value.lit
-                    {
-                        self.words.push(Word { name, doc, value: value.value() });
-                    } else if let Some((values, is_array)) = numbers(&item.expr) {
-                        self.numbers.push(Numbers { name, doc, values, is_array });
+                    if let Some(value) = value(&item.expr) {
+                        let (name, doc) = (item.ident.to_string(), doc(&item.attrs));
+                        self.constants.push(Constant { of: None, name, doc, value });
                     }
                 }
                 Item::Impl(item) if item.trait_.is_none() => {
@@ -142,7 +130,8 @@ impl Definitions {
                             && let Some(ends) = ends(&item.expr)
                         {
                             let (name, doc) = (item.ident.to_string(), doc(&item.attrs));
-                            self.ranges.push(Range { of: of.clone(), name, doc, ends });
+                            let value = Value::Numbers(ends.to_vec());
+                            self.constants.push(Constant { of: Some(of.clone()), name, doc, value });
                         }
                     }
                 }
@@ -230,18 +219,23 @@ fn ends(expression: &Expr) -> Option<[f64; 2]> {
     Some([number(&range.start)?, number(&range.end)?])
 }
 
-/// The whole numbers of `a` or `[a, b, …]`, and whether they are an array; None for another expression.
-fn numbers(expression: &Expr) -> Option<(Vec<u32>, bool)> {
-    let number = |value: &Expr| match value {
+/// A text, a whole number, or an array of these numbers; None for another expression.
+fn value(expression: &Expr) -> Option<Value> {
+    let literal = |value: &Expr| match value {
         Expr::Lit(value) => match &value.lit {
-            Lit::Int(number) => number.base10_parse().ok(),
+            Lit::Str(word) => Some(Value::Word(word.value())),
+            Lit::Int(number) => number.base10_parse().ok().map(Value::Number),
             _ => None,
         },
         _ => None,
     };
+    let number = |value: &Expr| match literal(value)? {
+        Value::Number(number) => Some(number),
+        _ => None,
+    };
     match expression {
-        Expr::Array(array) => Some((array.elems.iter().map(number).collect::<Option<_>>()?, true)),
-        single => Some((vec![number(single)?], false)),
+        Expr::Array(array) => array.elems.iter().map(number).collect::<Option<_>>().map(Value::Numbers),
+        single => literal(single),
     }
 }
 

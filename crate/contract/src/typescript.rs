@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use anyhow::{Context, Result};
 
-use crate::read::{Choice, Definitions, Field, FieldKind, Options};
+use crate::read::{Choice, Constant, Definitions, Field, FieldKind, Options, Value};
 
 /// A module that exports all of it.
 ///
@@ -21,16 +21,10 @@ export interface Choice<Name extends string> {
   readonly former: Readonly<Record<string, Name>>;
 }
 ";
-    for word in &definitions.words {
-        text += &documented(&word.doc, "");
-        text += &format!("export const {} = {};\n", word.name, quoted(&word.value));
-    }
-    for numbers in &definitions.numbers {
-        let values: Vec<String> = numbers.values.iter().map(u32::to_string).collect();
-        let values = values.join(", ");
-        text += &documented(&numbers.doc, "");
-        let value = if numbers.is_array { format!("[{values}] as const") } else { values };
-        text += &format!("export const {} = {value};\n", numbers.name);
+    for Constant { of, name, doc, value } in &definitions.constants {
+        let owner = of.as_ref().map_or_else(String::new, |of| constant(of) + "_");
+        text += &documented(doc, "");
+        text += &format!("export const {owner}{name} = {};\n", written(value));
     }
     for choice in &definitions.choices {
         text += &choice_of(choice);
@@ -41,15 +35,21 @@ export interface Choice<Name extends string> {
         text += &documented(doc, "");
         text += &format!("export type {name} = {};\n", names.join(" | "));
     }
-    for range in &definitions.ranges {
-        let [least, most] = range.ends;
-        text += &documented(&range.doc, "");
-        text += &format!("export const {}_{} = [{least}, {most}] as const;\n", constant(&range.of), range.name);
-    }
     for options in &definitions.options {
         text += &interface(options, definitions)?;
     }
     Ok(text)
+}
+
+fn written(value: &Value) -> String {
+    match value {
+        Value::Word(word) => quoted(word),
+        Value::Number(number) => number.to_string(),
+        Value::Numbers(numbers) => {
+            let numbers: Vec<String> = numbers.iter().map(f64::to_string).collect();
+            format!("[{}] as const", numbers.join(", "))
+        }
+    }
 }
 
 fn choice_of(choice: &Choice) -> String {
