@@ -181,41 +181,24 @@ impl Lanes {
     }
 }
 
-impl Add for Lanes {
-    type Output = Self;
+/// An operator between the numbers of both, by a function of `vector`.
+macro_rules! operator {
+    ($operator:ident, $method:ident, $function:ident) => {
+        impl $operator for Lanes {
+            type Output = Self;
 
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self(vector::sum(self.0, other.0))
-    }
+            #[inline]
+            fn $method(self, other: Self) -> Self {
+                Self(vector::$function(self.0, other.0))
+            }
+        }
+    };
 }
 
-impl Sub for Lanes {
-    type Output = Self;
-
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self(vector::difference(self.0, other.0))
-    }
-}
-
-impl Mul for Lanes {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, other: Self) -> Self {
-        Self(vector::product(self.0, other.0))
-    }
-}
-
-impl Div for Lanes {
-    type Output = Self;
-
-    #[inline]
-    fn div(self, other: Self) -> Self {
-        Self(vector::quotient(self.0, other.0))
-    }
-}
+operator!(Add, add, sum);
+operator!(Sub, sub, difference);
+operator!(Mul, mul, product);
+operator!(Div, div, quotient);
 
 /// Of two things each, which hold.
 #[derive(Debug, Clone, Copy)]

@@ -138,6 +138,11 @@ impl Numbers {
         Self((0..count as u32).map(AtomicU32::new).collect())
     }
 
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
     /// The number in a place.
     pub fn get(&self, place: u32) -> u32 {
         self.0[place as usize].load(Ordering::Relaxed)

@@ -30,6 +30,18 @@ impl UnionFind {
         }
     }
 
+    /// Of each number its set, and how many sets there are; they are counted in the order of their least numbers.
+    pub fn sets(&self) -> (Vec<u32>, u32) {
+        let mut sets: Vec<u32> = Vec::with_capacity(self.parent.count());
+        let mut count = 0;
+        for number in 0..self.parent.count() as u32 {
+            let least = self.least(number);
+            sets.push(if least == number { count } else { sets[least as usize] });
+            count += u32::from(least == number);
+        }
+        (sets, count)
+    }
+
     /// Makes one set of two.
     pub fn join(&self, a: u32, b: u32) {
         loop {

@@ -77,11 +77,8 @@ pub struct Output<F> {
 impl Output<DistanceFormat> {
     /// `several`: columns of distances.
     pub fn distance(path: &Path, several: bool) -> Result<Self> {
-        if several {
-            return Self::by_extension(path, OF_EACH, &[("csv", DistanceFormat::Csv)]);
-        }
         let formats = [("csv", DistanceFormat::Csv), ("ply", DistanceFormat::Ply), ("glb", DistanceFormat::Glb)];
-        Self::by_extension(path, "distances", &formats)
+        Self::of_distances(path, "distances", &formats, several)
     }
 
     /// `columns`: named distances, one value an input vertex; a single column unless it was made for several.
@@ -105,11 +102,8 @@ impl Output<DistanceFormat> {
 impl Output<VolumeFormat> {
     /// As [`Output::distance`].
     pub fn volume(path: &Path, several: bool) -> Result<Self> {
-        if several {
-            return Self::by_extension(path, OF_EACH, &[("csv", VolumeFormat::Csv)]);
-        }
         let formats = [("csv", VolumeFormat::Csv), ("vtu", VolumeFormat::Vtu), ("msh", VolumeFormat::Msh)];
-        Self::by_extension(path, "distances inside of tetrahedra", &formats)
+        Self::of_distances(path, "distances inside of tetrahedra", &formats, several)
     }
 
     /// As [`Output::write`].
@@ -199,6 +193,11 @@ impl<F: Copy> Output<F> {
         };
         check(path).with_context(|| format!("cannot write {}", path.display()))?;
         Ok(Self { path: path.to_owned(), format })
+    }
+
+    /// The same of distances, which only the first of the formats has `several` columns of.
+    fn of_distances(path: &Path, what: &str, formats: &[(&str, F)], several: bool) -> Result<Self> {
+        if several { Self::by_extension(path, OF_EACH, &formats[..1]) } else { Self::by_extension(path, what, formats) }
     }
 
     pub fn save(&self, bytes: &[u8]) -> Result<()> {

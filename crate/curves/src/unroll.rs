@@ -95,14 +95,10 @@ impl<'a> Piece<'a> {
                 fans.join(side as u32, next(twin) as u32);
             }
         }
-        let (mut numbers, mut count) = (Vec::with_capacity(3 * triangles.len()), 0);
-        for side in 0..3 * triangles.len() {
-            let least = fans.least(side as u32) as usize;
-            numbers.push(if least == side { count } else { numbers[least] });
-            count += usize::from(least == side);
-        }
-        let mut piece =
-            Self { field, strips, strip, triangles, origins, faces, edges, numbers, is_inner: vec![true; count] };
+        let (numbers, count) = fans.sets();
+        let numbers = numbers.into_iter().map(|number| number as usize).collect();
+        let is_inner = vec![true; count as usize];
+        let mut piece = Self { field, strips, strip, triangles, origins, faces, edges, numbers, is_inner };
         for side in piece.rims() {
             for end in [side, next(side)] {
                 piece.is_inner[piece.numbers[end]] = false;

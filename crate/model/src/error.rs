@@ -1,5 +1,6 @@
 //! What can go wrong with a file, with the element at fault and a remedy.
 
+use strum::IntoStaticStr;
 use thiserror::Error;
 
 /// Result with this crate's [`enum@Error`].
@@ -7,7 +8,8 @@ pub type Result<T> = std::result::Result<T, Error>;
 
 /// Every failure of the crate. The message is one sentence that names what is at fault; [`Error::code`] is for programs, and
 /// for those who word what to do in their own terms.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// The file's extension and first bytes match no reader.
@@ -82,14 +84,8 @@ impl Error {
     /// Names the kind of failure, in kebab case. It stays the same between versions; messages may not.
     pub fn code(&self) -> &'static str {
         match self {
-            Self::UnknownFormat { .. } => "unknown-format",
-            Self::Malformed { .. } => "malformed",
-            Self::Unsupported { .. } => "unsupported",
-            Self::MissingResource { .. } => "missing-resource",
-            Self::NoSuchClip { .. } => "no-such-clip",
-            Self::Motion { .. } => "motion",
-            Self::OverBudget { .. } => "over-budget",
             Self::Surface(error) => error.code(),
+            _ => self.into(),
         }
     }
 }

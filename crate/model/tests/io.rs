@@ -14,6 +14,11 @@ use serde_json::{Value, json};
 
 use crate::reading::{areas, part_names, read, read_model};
 
+fn fails(name: &str, text: &str, place: &str) {
+    let error = read(name, text).unwrap_err().to_string();
+    assert!(error.contains(place), "{error}");
+}
+
 // ---- OFF
 
 const SQUARE_OFF: &str = "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
@@ -51,8 +56,7 @@ fn off_errors_name_the_place() {
         ("OFF", "end of file"),
         ("", "a.off is empty"),
     ] {
-        let error = read("a.off", bad).unwrap_err();
-        assert!(error.to_string().contains(place), "{error}");
+        fails("a.off", bad, place);
     }
     assert!(matches!(read("a.off", "OFF BINARY\n\0\0\0\x04"), Err(Error::Unsupported { .. })));
     assert!(matches!(
@@ -131,8 +135,7 @@ fn obj_errors_name_the_place() {
         ("v 0 0 0\nf 1 one 1\n", "line 2"),
         ("v 0 0 0\nf -1 -1 -2\n", "line 2"),
     ] {
-        let error = read("a.obj", bad).unwrap_err();
-        assert!(error.to_string().contains(place), "{error}");
+        fails("a.obj", bad, place);
     }
     for index in [9, 4_000_000_000_u64, 99_999_999_999] {
         let file = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 {index}\n");

@@ -1,5 +1,6 @@
 //! What can go wrong, with the element at fault and a remedy.
 
+use strum::IntoStaticStr;
 use thiserror::Error;
 
 use crate::choice::UnknownChoice;
@@ -8,7 +9,8 @@ use crate::choice::UnknownChoice;
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// Every failure of the crate. The message is one sentence for a person: what is wrong, where, what to do.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// A file that cannot be read, triangles that make no surface, or a place that is not on it.
@@ -145,23 +147,8 @@ impl Error {
     pub fn code(&self) -> &'static str {
         match self {
             Self::Surface(error) => error.code(),
-            Self::NoSource => "no-source",
-            Self::BadParameter { .. } => "bad-parameter",
-            Self::BadGlue { .. } => "bad-glue",
-            Self::NoTangentPlane { .. } => "no-tangent-plane",
-            Self::UnknownChoice(_) => "unknown-choice",
-            Self::NotPositiveDefinite { .. } => "not-positive-definite",
-            Self::NotConverged { .. } => "not-converged",
-            Self::Breakdown { .. } => "breakdown",
             Self::Algebra(error) => error.code(),
-            Self::TooLarge { .. } => "too-large",
-            Self::MeshTooLarge { .. } => "mesh-too-large",
-            Self::TooManyWindows { .. } => "too-many-windows",
-            Self::OutOfMemory { .. } => "out-of-memory",
-            Self::NotExact => "not-exact",
-            Self::NoHeat => "no-heat",
-            Self::Unreachable => "unreachable",
-            Self::Cancelled => "cancelled",
+            _ => self.into(),
         }
     }
 

@@ -26,6 +26,11 @@ fn sides(frames: &Frames) -> impl Iterator<Item = HalfedgeId> + use<> {
     (0..3 * frames.triangulation().face_count() as u32).map(HalfedgeId)
 }
 
+/// Those inside, each with its twin.
+fn twins(frames: &Frames) -> impl Iterator<Item = (HalfedgeId, HalfedgeId)> {
+    sides(frames).filter_map(|side| Some((side, frames.triangulation().twin(side)?)))
+}
+
 fn around(face: u32) -> [HalfedgeId; 3] {
     [0, 1, 2].map(|k| HalfedgeId(3 * face + k))
 }
@@ -83,11 +88,9 @@ fn the_rotation_around_a_face_is_the_curvature_that_its_corners_have_of_their_ve
 #[test]
 fn transport_along_a_side_and_back_changes_nothing() {
     for frames in uneven() {
-        for side in sides(&frames) {
-            if let Some(twin) = frames.triangulation().twin(side) {
-                let both = frames.transport(side) * frames.transport(twin);
-                assert!((both - 1.0).magnitude() < ROUNDING, "{both} at {side:?}");
-            }
+        for (side, twin) in twins(&frames) {
+            let both = frames.transport(side) * frames.transport(twin);
+            assert!((both - 1.0).magnitude() < ROUNDING, "{both} at {side:?}");
         }
     }
 }
@@ -95,11 +98,9 @@ fn transport_along_a_side_and_back_changes_nothing() {
 #[test]
 fn a_side_carried_along_itself_is_the_direction_away_from_its_twin() {
     for frames in uneven() {
-        for side in sides(&frames) {
-            if let Some(twin) = frames.triangulation().twin(side) {
-                let carried = frames.transport(side) * frames.direction(side);
-                assert!((carried + frames.direction(twin)).magnitude() < ROUNDING, "{side:?}");
-            }
+        for (side, twin) in twins(&frames) {
+            let carried = frames.transport(side) * frames.direction(side);
+            assert!((carried + frames.direction(twin)).magnitude() < ROUNDING, "{side:?}");
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::common;
 use std::f64::consts::{PI, TAU};
 
 use crate::common::truth::Random;
-use crate::common::{band, book, nearest, soup, square, surface, two_squares};
+use crate::common::{band, book, nearest, quads, soup, square, surface, two_squares};
 use glam::DVec3;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
@@ -99,13 +99,7 @@ fn cone(wedges: u32, rings: u32, height: f64) -> Soup {
     }
     let vertex = |ring: u32, wedge: u32| 1 + (ring - 1) * wedges + wedge % wedges;
     let mut triangles: Vec<[u32; 3]> = (0..wedges).map(|wedge| [0, vertex(1, wedge), vertex(1, wedge + 1)]).collect();
-    for ring in 1..rings {
-        for wedge in 0..wedges {
-            let [a, b] = [vertex(ring, wedge), vertex(ring + 1, wedge)];
-            let [d, c] = [vertex(ring, wedge + 1), vertex(ring + 1, wedge + 1)];
-            triangles.extend([[a, b, c], [a, c, d]]);
-        }
-    }
+    triangles.extend(quads(1..rings, wedges, vertex));
     soup(positions, triangles)
 }
 

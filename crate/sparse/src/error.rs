@@ -1,12 +1,14 @@
 //! What can go wrong, with the row, column or matrix at fault.
 
+use strum::IntoStaticStr;
 use thiserror::Error;
 
 /// Result with this crate's [`enum@Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// Every failure of the crate. Rows, columns and matrices are counted from 0.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Error, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// Where the columns of a pattern begin does not fit the rows given.
@@ -99,19 +101,6 @@ pub enum Error {
 impl Error {
     /// A name of the kind of error that stays the same from version to version.
     pub fn code(&self) -> &'static str {
-        match self {
-            Self::InvalidColumnStart { .. } => "invalid-column-start",
-            Self::MissingDiagonal { .. } => "missing-diagonal",
-            Self::InvalidRow { .. } => "invalid-row",
-            Self::ValueCount { .. } => "value-count",
-            Self::InvalidPermutation { .. } => "invalid-permutation",
-            Self::PermutationMismatch { .. } => "permutation-mismatch",
-            Self::PatternMismatch { .. } => "pattern-mismatch",
-            Self::NotPositiveDefinite { .. } => "not-positive-definite",
-            Self::NotConverged { .. } => "not-converged",
-            Self::Breakdown { .. } => "breakdown",
-            Self::OutOfMemory { .. } => "out-of-memory",
-            Self::Cancelled => "cancelled",
-        }
+        self.into()
     }
 }

@@ -1,5 +1,6 @@
 //! What can go wrong, with the element at fault and a remedy.
 
+use strum::IntoStaticStr;
 use thiserror::Error;
 
 /// Result with this crate's [`enum@Error`].
@@ -7,7 +8,8 @@ pub type Result<T> = std::result::Result<T, Error>;
 
 /// Every failure of the crate. The message is one sentence that names what is at fault; [`Error::code`] is for programs, and
 /// for those who word what to do in their own terms.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// No triangle is left to work on.
@@ -147,25 +149,6 @@ pub enum Error {
 impl Error {
     /// Names the kind of failure, in kebab case. It stays the same between versions; messages may not.
     pub fn code(&self) -> &'static str {
-        match self {
-            Self::Empty { .. } => "empty",
-            Self::IndexOutOfRange { .. } => "index-out-of-range",
-            Self::NotFinite { .. } => "not-finite",
-            Self::TooFar { .. } => "too-far",
-            Self::SourceInWall { .. } => "source-in-wall",
-            Self::NoSuchPart { .. } => "no-such-part",
-            Self::NoSuchAttribute { .. } => "no-such-attribute",
-            Self::NoSuchVertex { .. } => "no-such-vertex",
-            Self::UnreferencedVertex { .. } => "unreferenced-vertex",
-            Self::NotAdjacent { .. } => "not-adjacent",
-            Self::NoSuchFace { .. } => "no-such-face",
-            Self::NoSuchHalfedge { .. } => "no-such-halfedge",
-            Self::BadFraction { .. } => "bad-fraction",
-            Self::BadWeights { .. } => "bad-weights",
-            Self::NotOnFace { .. } => "not-on-face",
-            Self::ForeignSurface { .. } => "foreign-surface",
-            Self::BadParameter { .. } => "bad-parameter",
-            Self::OutOfMemory { .. } => "out-of-memory",
-        }
+        self.into()
     }
 }

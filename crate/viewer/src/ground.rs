@@ -1,7 +1,7 @@
 use encase::ShaderType;
 use glam::Vec3;
 
-use crate::binding::{FILTERED_TEXTURE, fragment_entry, smooth_sampler, uniform_entry};
+use crate::binding::{FILTERED_TEXTURE, fragment_entry, sampled_group, uniform_entry, written_texture};
 use crate::context::Context;
 use crate::pipeline::{PipelineRecipe, Place};
 use crate::shader::shader_module;
@@ -40,27 +40,8 @@ impl Ground {
         });
         let uniform: Uniform<GroundUniform> = Uniform::new(context, "ground uniform");
         let size = CONTACT_SIZE as u32;
-        let contact = context.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("contact"),
-            size: wgpu::Extent3d { width: size, height: size, depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: wgpu::TextureFormat::R8Unorm,
-            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-            view_formats: &[],
-        });
-        let sampler = smooth_sampler(context, None);
-        let view = contact.create_view(&wgpu::TextureViewDescriptor { label: Some("contact"), ..Default::default() });
-        let group = context.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("ground"),
-            layout: &layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: uniform.buffer.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&view) },
-                wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
-            ],
-        });
+        let contact = written_texture(context, "contact", [size, size], wgpu::TextureFormat::R8Unorm);
+        let group = sampled_group(context, "ground", &layout, &uniform.buffer, &contact);
         let pipeline = PipelineRecipe {
             label: "ground",
             layouts: &[Some(&shared.frame_layout), Some(&shared.lighting.layout), Some(&layout)],

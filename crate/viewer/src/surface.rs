@@ -1,6 +1,6 @@
 use glam::Vec3;
 
-use crate::binding::{FILTERED_TEXTURE, fragment_entry, smooth_sampler, uniform_entry};
+use crate::binding::{FILTERED_TEXTURE, fragment_entry, sampled_group, uniform_entry, written_texture};
 use crate::buffer::mesh_buffer;
 use crate::context::Context;
 use crate::error::Error;
@@ -221,27 +221,8 @@ impl SurfaceRenderer {
     pub(crate) fn new(context: &Context, shared: &Shared) -> Self {
         let layout = style_layout(context);
         let style: Uniform<StyleUniform> = Uniform::new(context, "style uniform");
-        let ramps = context.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("ramps"),
-            size: wgpu::Extent3d { width: RAMP_SIZE as u32, height: 2, depth_or_array_layers: 1 },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: wgpu::TextureFormat::Rgba8UnormSrgb,
-            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
-            view_formats: &[],
-        });
-        let sampler = smooth_sampler(context, None);
-        let view = ramps.create_view(&wgpu::TextureViewDescriptor { label: Some("ramps"), ..Default::default() });
-        let group = context.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("style"),
-            layout: &layout,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: style.buffer.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::TextureView(&view) },
-                wgpu::BindGroupEntry { binding: 2, resource: wgpu::BindingResource::Sampler(&sampler) },
-            ],
-        });
+        let ramps = written_texture(context, "ramps", [RAMP_SIZE as u32, 2], wgpu::TextureFormat::Rgba8UnormSrgb);
+        let group = sampled_group(context, "style", &layout, &style.buffer, &ramps);
         let module = shader_module!(context, "surface");
         let layouts = [Some(&shared.frame_layout), Some(&shared.lighting.layout), Some(&layout)];
         let recipe = PipelineRecipe {

@@ -16,27 +16,20 @@ pub(crate) type Unorm8x4 = [u8; 4];
 /// Four unsigned words that shaders read as 0 to 1.
 pub(crate) type Unorm16x4 = [u16; 4];
 
-impl Attribute for f32 {
-    const FORMAT: wgpu::VertexFormat = wgpu::VertexFormat::Float32;
+macro_rules! attribute {
+    ($type:ty, $format:ident) => {
+        impl Attribute for $type {
+            const FORMAT: wgpu::VertexFormat = wgpu::VertexFormat::$format;
+        }
+    };
 }
-impl Attribute for Vec2 {
-    const FORMAT: wgpu::VertexFormat = wgpu::VertexFormat::Float32x2;
-}
-impl Attribute for Vec3 {
-    const FORMAT: wgpu::VertexFormat = wgpu::VertexFormat::Float32x3;
-}
-impl Attribute for Vec4 {
-    const FORMAT: wgpu::VertexFormat = wgpu::VertexFormat::Float32x4;
-}
-impl Attribute for Snorm8x4 {
-    const FORMAT: wgpu::VertexFormat = wgpu::VertexFormat::Snorm8x4;
-}
-impl Attribute for Unorm8x4 {
-    const FORMAT: wgpu::VertexFormat = wgpu::VertexFormat::Unorm8x4;
-}
-impl Attribute for Unorm16x4 {
-    const FORMAT: wgpu::VertexFormat = wgpu::VertexFormat::Unorm16x4;
-}
+attribute!(f32, Float32);
+attribute!(Vec2, Float32x2);
+attribute!(Vec3, Float32x3);
+attribute!(Vec4, Float32x4);
+attribute!(Snorm8x4, Snorm8x4);
+attribute!(Unorm8x4, Unorm8x4);
+attribute!(Unorm16x4, Unorm16x4);
 
 /// The format of the field that a function borrows.
 pub(crate) const fn format_of<T, A: Attribute>(_field: fn(&T) -> &A) -> wgpu::VertexFormat {

@@ -5,6 +5,7 @@ mod content;
 mod inside;
 mod materials;
 mod numbers;
+mod properties;
 mod results;
 
 use wasm_bindgen::JsError;

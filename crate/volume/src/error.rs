@@ -1,12 +1,14 @@
 //! What can go wrong, with the element at fault and a remedy.
 
+use strum::IntoStaticStr;
 use thiserror::Error;
 
 /// Result with this crate's [`enum@Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// Every failure of meshes and distances in space. Vertices and tetrahedra are counted from 0, as the input has them.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// A soup without tetrahedra.
@@ -159,26 +161,8 @@ impl Error {
     /// Names the kind of failure, in kebab case. It stays the same between versions; messages may not.
     pub fn code(&self) -> &'static str {
         match self {
-            Self::NoTetrahedra => "no-tetrahedra",
-            Self::IndexOutOfRange { .. } => "index-out-of-range",
-            Self::NotFinite { .. } => "not-finite",
-            Self::BadSize { .. } => "bad-size",
-            Self::AllFlat { .. } => "all-flat",
-            Self::NonManifoldFace { .. } => "non-manifold-face",
-            Self::TooMany { .. } => "too-many",
-            Self::NoSuchVertex { .. } => "no-such-vertex",
-            Self::NoSuchTetrahedron { .. } => "no-such-tetrahedron",
-            Self::BadWeights { .. } => "bad-weights",
-            Self::BadInitialDistance { .. } => "bad-initial-distance",
-            Self::ValueCount { .. } => "value-count",
-            Self::BadLevel { .. } => "bad-level",
-            Self::CostCount { .. } => "cost-count",
-            Self::BadCost { .. } => "bad-cost",
-            Self::SourceInWall { .. } => "source-in-wall",
-            Self::AllWalls => "all-walls",
-            Self::Unreachable => "unreachable",
-            Self::ForeignMesh { .. } => "foreign-mesh",
             Self::Heat(error) => error.code(),
+            _ => self.into(),
         }
     }
 }

@@ -53,10 +53,7 @@ fn main() -> Result<()> {
     };
     for (family, make) in surfaces::FAMILIES {
         for (operation, prepare) in operations::OPERATIONS {
-            row(format!("{operation}, {family}"), &|size| {
-                let soup = make(size);
-                Ok((soup.triangles.len(), prepare(&soup)?))
-            })?;
+            row(format!("{operation}, {family}"), &|size| on(&make(size), |soup| soup.triangles.len(), prepare))?;
         }
     }
     for (family, make) in outlines::OUTLINES {
@@ -67,13 +64,19 @@ fn main() -> Result<()> {
     }
     for (family, make) in inside::FAMILIES {
         for (operation, prepare) in inside::OPERATIONS {
-            row(format!("{operation}, {family}"), &|size| {
-                let soup = make(size);
-                Ok((soup.tetrahedra.len(), prepare(&soup)?))
-            })?;
+            row(format!("{operation}, {family}"), &|size| on(&make(size), |soup| soup.tetrahedra.len(), prepare))?;
         }
     }
     Ok(())
+}
+
+/// How many elements a soup has, and an operation on it.
+fn on<S>(
+    soup: &S,
+    count: impl Fn(&S) -> usize,
+    prepare: impl Fn(&S) -> Result<Operation>,
+) -> Result<(usize, Operation)> {
+    Ok((count(soup), prepare(soup)?))
 }
 
 /// What one operation took.

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 use std::fs;
+use std::path::Path;
 
 use super::{difference, distances, flat, folder, json, refused, run};
 
@@ -91,13 +92,19 @@ fn bad_attributes_are_named_by_their_vertices_but_those_that_no_triangle_uses() 
     assert!((found[2] - 10.0).abs() < 1e-9, "{found:?}");
 }
 
+/// The distances of a square that lies level in the plane of x and z, which an option does not change.
+fn free_where_level(folder: &Path, option: [&str; 2]) -> Vec<f64> {
+    let question = ["flat.ply", "--source", "0"];
+    let plain = distances(folder, &question);
+    let level = distances(folder, &[&question[..], &option].concat());
+    assert!(difference(&plain, &level) < 1e-9);
+    plain
+}
+
 #[test]
 fn slopes_cost_by_the_axis_that_points_up() {
     let folder = folder("slopes");
-    // The square lies level in the plane of x and z.
-    let plain = distances(&folder, &["flat.ply", "--source", "0"]);
-    let level = distances(&folder, &["flat.ply", "--source", "0", "--slope-cost", "tobler"]);
-    assert!(difference(&plain, &level) < 1e-9);
+    let plain = free_where_level(&folder, ["--slope-cost", "tobler"]);
     let upright = distances(&folder, &["flat.ply", "--source", "0", "--slope-cost", "tobler", "--up", "z"]);
     assert!((upright[80] / plain[80] - 1000.0).abs() < 1e-6, "{}", upright[80]);
 }
@@ -105,9 +112,7 @@ fn slopes_cost_by_the_axis_that_points_up() {
 #[test]
 fn heights_cost_by_the_axis_that_points_up() {
     let folder = folder("heights");
-    let plain = distances(&folder, &["flat.ply", "--source", "0"]);
-    let level = distances(&folder, &["flat.ply", "--source", "0", "--height-cost", "3"]);
-    assert!(difference(&plain, &level) < 1e-9);
+    free_where_level(&folder, ["--height-cost", "3"]);
     // Up the side of length 1, where the costs of the eight cells' two triangles are 9 to the power of their heights.
     let upright = distances(&folder, &["flat.ply", "--source", "0", "--height-cost", "9", "--up", "x"]);
     let cost = |third: f64| (0..8).map(|cell| 9.0_f64.powf((f64::from(cell) + third / 3.0) / 8.0) / 8.0).sum::<f64>();

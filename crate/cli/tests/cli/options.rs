@@ -1,18 +1,21 @@
 //! The options of the heat method.
 
 use std::fs;
+use std::path::Path;
 
 use heatwalk_model::io::write;
 
 use crate::{difference, distances, flat, folder, json};
 
+/// What is reported of distances from vertex 0.
+fn figure(folder: &Path, name: &str, options: &[&str]) -> f64 {
+    json(folder, &[&["distance", "--source", "0"], options].concat())[name].as_f64().unwrap()
+}
+
 #[test]
 fn options_change_the_answer() {
     let folder = folder("options");
-    let max = |options: &[&str]| {
-        let arguments = [&["distance", "grid.ply", "--source", "0", "--near", "0"], options].concat();
-        json(&folder, &arguments)["max_distance"].as_f64().unwrap()
-    };
+    let max = |options: &[&str]| figure(&folder, "max_distance", &[&["grid.ply", "--near", "0"], options].concat());
     assert_eq!(max(&[]), max(&["--t", "auto"]));
     assert_ne!(max(&[]), max(&["--t", "20"]));
     assert_ne!(max(&["--boundary", "neumann"]), max(&["--boundary", "dirichlet"]));
@@ -22,10 +25,8 @@ fn options_change_the_answer() {
 #[test]
 fn the_time_factor_is_reported() {
     let folder = folder("time_factor");
-    let factor = |options: &[&str]| {
-        let arguments = [&["distance", "flat.ply", "--source", "0", "--method", "heat"], options].concat();
-        json(&folder, &arguments)["time_factor"].as_f64().unwrap()
-    };
+    let factor =
+        |options: &[&str]| figure(&folder, "time_factor", &[&["flat.ply", "--method", "heat"], options].concat());
     assert_eq!(factor(&["--t", "2.5"]), 2.5);
     assert_eq!(factor(&["--t", "auto"]), factor(&[]));
     assert!(factor(&[]) > 0.0);

@@ -26,24 +26,30 @@ fn bad_usage_and_bad_input_take_one_line() {
         (&["distance", "torus.ply"], "--source"),
         (&["distance", "torus.ply", "--source", "288"], "288"),
         (&["distance", "torus.ply", "--source", "-1"], "-1"),
-        (&["distance", "torus.ply", "--source", "0", "--t", "0"], "positive"),
-        (&["distance", "torus.ply", "--source", "0", "--t", "-1"], "positive"),
-        (&["distance", "torus.ply", "--source", "0", "--t", "nan"], "positive"),
-        (&["distance", "torus.ply", "--source", "0", "--repeat", "0"], "repeat"),
-        (&["distance", "torus.ply", "--source", "0", "--boundary", "warm"], "warm"),
-        (&["distance", "torus.ply", "--source", "0", "--operator", "best"], "delaunay, plain, relocate"),
-        (&["distance", "torus.ply", "--source", "0", "--solver", "lu"], "cholesky, cg"),
-        (&["distance", "torus.ply", "--source", "0", "--multi", "both"], "exact, summed"),
-        (&["distance", "torus.ply", "--source", "0", "--near", "-1"], "0 or more"),
-        (&["distance", "torus.ply", "--source", "0", "--near", "nan"], "0 or more"),
-        (&["distance", "torus.ply", "--source", "0", "--exact", "--compare"], "cannot be used"),
-        (&["distance", "torus.ply", "--source", "0", "--output", "d.txt"], ".csv"),
-        (&["distance", "torus.ply", "--source", "0", "--output", "no/such/folder/d.csv"], "cannot write"),
         (&["path", "torus.ply", "--from", "0", "--to", "1", "--output", "p.glb"], ".obj"),
         (&["path", "torus.ply", "--from", "0"], "--to"),
     ] {
         let line = refused(&folder, arguments);
         assert!(line.contains(hint), "{arguments:?}: {line}");
+    }
+    for (options, hint) in [
+        ("--t 0", "positive"),
+        ("--t -1", "positive"),
+        ("--t nan", "positive"),
+        ("--repeat 0", "repeat"),
+        ("--boundary warm", "warm"),
+        ("--operator best", "delaunay, plain, relocate"),
+        ("--solver lu", "cholesky, cg"),
+        ("--multi both", "exact, summed"),
+        ("--near -1", "0 or more"),
+        ("--near nan", "0 or more"),
+        ("--exact --compare", "cannot be used"),
+        ("--output d.txt", ".csv"),
+        ("--output no/such/folder/d.csv", "cannot write"),
+    ] {
+        let source = ["distance", "torus.ply", "--source", "0"];
+        let line = refused(&folder, &source.into_iter().chain(options.split(' ')).collect::<Vec<_>>());
+        assert!(line.contains(hint), "{options}: {line}");
     }
 }
 

@@ -224,13 +224,5 @@ fn components(faces: &[[u32; 3]]) -> Vec<u32> {
         }
     }
     assert!(is_used.iter().all(|&used| used), "every vertex is in some face");
-    let mut components: Vec<u32> = Vec::with_capacity(count);
-    let mut next = 0;
-    for vertex in 0..count as u32 {
-        let first = connected.least(vertex);
-        let component = if first == vertex { next } else { components[first as usize] };
-        next += u32::from(first == vertex);
-        components.push(component);
-    }
-    components
+    connected.sets().0
 }

@@ -10,6 +10,7 @@ pub mod shortness;
 pub mod truth;
 
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 use glam::DVec3;
 use heatwalk::{
@@ -43,15 +44,16 @@ pub fn band(segments: u32, half_twists: u32) -> Soup {
         let is_mirrored = segment == segments && half_twists % 2 == 1;
         (segment % segments) * (rows + 1) + if is_mirrored { rows - row } else { row }
     };
-    let mut triangles = Vec::new();
-    for segment in 0..segments {
-        for row in 0..rows {
-            let [a, b] = [vertex(segment, row), vertex(segment + 1, row)];
-            let [d, c] = [vertex(segment, row + 1), vertex(segment + 1, row + 1)];
-            triangles.extend([[a, b, c], [a, c, d]]);
-        }
-    }
-    soup(positions, triangles)
+    soup(positions, quads(0..segments, rows, vertex).collect())
+}
+
+/// Triangles of quads in columns and rows, whose corners in both `vertex` numbers.
+pub fn quads(columns: Range<u32>, rows: u32, vertex: impl Fn(u32, u32) -> u32) -> impl Iterator<Item = [u32; 3]> {
+    columns.flat_map(move |column| (0..rows).map(move |row| (column, row))).flat_map(move |(column, row)| {
+        let [a, b] = [vertex(column, row), vertex(column + 1, row)];
+        let [d, c] = [vertex(column, row + 1), vertex(column + 1, row + 1)];
+        [[a, b, c], [a, c, d]]
+    })
 }
 
 /// Triangles of `n × n` quads over rows of `n + 1` vertices that begin at `first`.

@@ -57,19 +57,12 @@ pub(super) fn component_count(components: &VertexData<u32>) -> usize {
 
 /// Connected component of each vertex.
 fn connected_components(faces: &[[VertexId; 3]], vertices: usize, threads: NonZeroUsize) -> VertexData<u32> {
-    let sets = UnionFind::new(vertices);
+    let connected = UnionFind::new(vertices);
     parallel::map(parallel::ranges(faces.len(), threads), |range| {
         for &[a, b, c] in &faces[range] {
-            sets.join(a.0, b.0);
-            sets.join(b.0, c.0);
+            connected.join(a.0, b.0);
+            connected.join(b.0, c.0);
         }
     });
-    let mut component: Vec<u32> = Vec::with_capacity(vertices);
-    let mut count = 0;
-    for vertex in 0..vertices as u32 {
-        let least = sets.least(vertex);
-        component.push(if least == vertex { count } else { component[least as usize] });
-        count += u32::from(least == vertex);
-    }
-    component.into()
+    connected.sets().0.into()
 }

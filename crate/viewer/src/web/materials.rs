@@ -5,6 +5,7 @@ use js_sys::{Array, Float32Array};
 use wasm_bindgen::prelude::*;
 use web_sys::ImageBitmap;
 
+use super::properties::properties;
 use crate::error::Error;
 use crate::image::Image;
 use crate::material::{CHANNELS, Material, TextureUse};
@@ -48,44 +49,37 @@ extern "C" {
     /// A material as an object of JavaScript's.
     #[wasm_bindgen(typescript_type = "DrawnMaterial")]
     pub type DrawnMaterial;
-    #[wasm_bindgen(method, getter, structural, js_name = baseColor)]
-    fn base_color(this: &DrawnMaterial) -> Float32Array;
-    #[wasm_bindgen(method, getter, structural)]
-    fn metalness(this: &DrawnMaterial) -> f32;
-    #[wasm_bindgen(method, getter, structural)]
-    fn roughness(this: &DrawnMaterial) -> f32;
-    #[wasm_bindgen(method, getter, structural)]
-    fn emission(this: &DrawnMaterial) -> Float32Array;
-    #[wasm_bindgen(method, getter, structural, js_name = normalScale)]
-    fn normal_scale(this: &DrawnMaterial) -> f32;
-    #[wasm_bindgen(method, getter, structural, js_name = occlusionStrength)]
-    fn occlusion_strength(this: &DrawnMaterial) -> f32;
-    #[wasm_bindgen(method, getter, structural)]
-    fn alpha(this: &DrawnMaterial) -> String;
-    #[wasm_bindgen(method, getter, structural)]
-    fn cutoff(this: &DrawnMaterial) -> f32;
-    #[wasm_bindgen(method, getter, structural)]
-    fn unlit(this: &DrawnMaterial) -> bool;
-    #[wasm_bindgen(method, getter, structural, js_name = doubleSided)]
-    fn double_sided(this: &DrawnMaterial) -> bool;
-    #[wasm_bindgen(method, getter, structural)]
-    fn textures(this: &DrawnMaterial) -> Array;
 
     /// A texture as an object of JavaScript's.
     #[wasm_bindgen(typescript_type = "DrawnTexture")]
     type DrawnTexture;
-    #[wasm_bindgen(method, getter, structural)]
-    fn image(this: &DrawnTexture) -> u32;
-    #[wasm_bindgen(method, getter, structural)]
-    fn set(this: &DrawnTexture) -> u32;
-    #[wasm_bindgen(method, getter, structural)]
-    fn transform(this: &DrawnTexture) -> Float32Array;
-    #[wasm_bindgen(method, getter, structural, js_name = wrapU)]
-    fn wrap_u(this: &DrawnTexture) -> String;
-    #[wasm_bindgen(method, getter, structural, js_name = wrapV)]
-    fn wrap_v(this: &DrawnTexture) -> String;
-    #[wasm_bindgen(method, getter, structural)]
-    fn sharp(this: &DrawnTexture) -> bool;
+}
+
+properties! {
+    DrawnMaterial {
+        base_color as baseColor: Float32Array,
+        metalness: f32,
+        roughness: f32,
+        emission: Float32Array,
+        normal_scale as normalScale: f32,
+        occlusion_strength as occlusionStrength: f32,
+        alpha: String,
+        cutoff: f32,
+        unlit: bool,
+        double_sided as doubleSided: bool,
+        textures: Array,
+    }
+}
+
+properties! {
+    DrawnTexture {
+        image: u32,
+        set: u32,
+        transform: Float32Array,
+        wrap_u as wrapU: String,
+        wrap_v as wrapV: String,
+        sharp: bool,
+    }
 }
 
 fn numbers<const N: usize>(what: &'static str, array: &Float32Array) -> Result<[f32; N], Error> {

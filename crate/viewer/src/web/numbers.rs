@@ -5,6 +5,7 @@ use heatwalk_bake::{CONTACT_SIZE, Hierarchy, OCCLUSION_SIZE, Shade};
 use js_sys::{Float32Array, Int8Array, Uint8Array, Uint16Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use super::properties::properties;
 use crate::appearance::{MeshAppearance, MeshRun};
 use crate::error::Error;
 use crate::inner::InnerTriangles;
@@ -57,48 +58,53 @@ extern "C" {
     /// An object of JavaScript's with arrays.
     #[wasm_bindgen(typescript_type = "DrawnMesh")]
     pub type DrawnMesh;
-    #[wasm_bindgen(method, getter, structural)]
-    fn positions(this: &DrawnMesh) -> Float32Array;
-    #[wasm_bindgen(method, getter, structural)]
-    fn normals(this: &DrawnMesh) -> Float32Array;
-    #[wasm_bindgen(method, getter, structural)]
-    fn triangles(this: &DrawnMesh) -> Uint32Array;
-    #[wasm_bindgen(method, getter, structural)]
-    fn order(this: &DrawnMesh) -> Uint32Array;
-    #[wasm_bindgen(method, getter, structural)]
-    fn boxes(this: &DrawnMesh) -> Float32Array;
-    #[wasm_bindgen(method, getter, structural)]
-    fn texcoords(this: &DrawnMesh) -> Float32Array;
-    #[wasm_bindgen(method, getter, structural)]
-    fn colors(this: &DrawnMesh) -> Uint16Array;
-    #[wasm_bindgen(method, getter, structural)]
-    fn runs(this: &DrawnMesh) -> Uint32Array;
 
     /// Triangles inside of a solid.
     #[wasm_bindgen(typescript_type = "DrawnShells")]
     pub type DrawnShells;
-    #[wasm_bindgen(method, getter, structural)]
-    fn positions(this: &DrawnShells) -> Float32Array;
-    #[wasm_bindgen(method, getter, structural)]
-    fn normals(this: &DrawnShells) -> Float32Array;
-    #[wasm_bindgen(method, getter, structural)]
-    fn values(this: &DrawnShells) -> Float32Array;
-    #[wasm_bindgen(method, getter, structural)]
-    fn triangles(this: &DrawnShells) -> Uint32Array;
 
     /// The same with directions.
     #[wasm_bindgen(extends = DrawnShells, typescript_type = "DrawnSection")]
     pub type DrawnSection;
-    #[wasm_bindgen(method, getter, structural)]
-    fn tangents(this: &DrawnSection) -> Int8Array;
 
     /// Another one.
     #[wasm_bindgen(typescript_type = "DrawnShade")]
     pub type DrawnShade;
-    #[wasm_bindgen(method, getter, structural)]
-    fn contact(this: &DrawnShade) -> Uint8Array;
-    #[wasm_bindgen(method, getter, structural)]
-    fn occlusion(this: &DrawnShade) -> Uint8Array;
+}
+
+properties! {
+    DrawnMesh {
+        positions: Float32Array,
+        normals: Float32Array,
+        triangles: Uint32Array,
+        order: Uint32Array,
+        boxes: Float32Array,
+        texcoords: Float32Array,
+        colors: Uint16Array,
+        runs: Uint32Array,
+    }
+}
+
+properties! {
+    DrawnShells {
+        positions: Float32Array,
+        normals: Float32Array,
+        values: Float32Array,
+        triangles: Uint32Array,
+    }
+}
+
+properties! {
+    DrawnSection {
+        tangents: Int8Array,
+    }
+}
+
+properties! {
+    DrawnShade {
+        contact: Uint8Array,
+        occlusion: Uint8Array,
+    }
 }
 
 pub(super) fn shade(given: &DrawnShade) -> Result<Shade, Error> {

@@ -1,12 +1,14 @@
 //! Why a surface cannot be filled.
 
+use strum::IntoStaticStr;
 use thiserror::Error;
 
 /// Result with this module's [`enum@Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// Every failure of filling. The message is one sentence that names what is at fault; [`Error::code`] is for programs.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// There is no inside, or it cannot be told from the outside.
@@ -18,6 +20,7 @@ pub enum Error {
             format!("{holes} holes, the largest one of {edges} edges around vertex {vertex}")
         }
     )]
+    #[strum(serialize = "open-surface")]
     Open {
         /// Boundary loops.
         holes: usize,
@@ -63,13 +66,6 @@ pub enum Error {
 impl Error {
     /// Names the kind of failure, in kebab case. It stays the same between versions; messages may not.
     pub fn code(&self) -> &'static str {
-        match self {
-            Self::Open { .. } => "open-surface",
-            Self::NotOriented => "not-oriented",
-            Self::TooCoarse { .. } => "too-coarse",
-            Self::BadParameter { .. } => "bad-parameter",
-            Self::OutOfMemory { .. } => "out-of-memory",
-            Self::Cancelled => "cancelled",
-        }
+        self.into()
     }
 }

@@ -1,12 +1,14 @@
 //! What can go wrong with a file of tetrahedra.
 
+use strum::IntoStaticStr;
 use thiserror::Error;
 
 /// Result with this module's [`enum@Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// Every failure of reading. The message is one sentence that names what is at fault; [`Error::code`] is for programs.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, PartialEq, Error, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Error {
     /// The file breaks the rules of its format, needs what is not read here, or refers to a file that was not given.
@@ -49,9 +51,7 @@ impl Error {
     pub fn code(&self) -> &'static str {
         match self {
             Self::File(error) => error.code(),
-            Self::UnknownFormat { .. } => "unknown-format",
-            Self::NoTetrahedra { .. } => "no-tetrahedra",
-            Self::NoSuchVertex { .. } => "no-such-vertex",
+            _ => self.into(),
         }
     }
 }

@@ -88,8 +88,7 @@ pub struct TetFile {
 /// [`Error::UnknownFormat`]; [`Error::File`] where the file is damaged, needs what is not read here, or the second file is
 /// missing; [`Error::NoSuchVertex`]; [`Error::NoTetrahedra`] where nothing in the file fills space.
 pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
-    let budget = Budget::of_file(bytes.len());
-    read_within(&budget, name, bytes, &|uri| budget.admit(resources(uri)?).ok())
+    with_budget(bytes, resources, |budget, resources| read_within(budget, name, bytes, resources))
 }
 
 /// As [`read`], with what is left of a budget. What `resources` gives is for the caller to count.
@@ -122,8 +121,7 @@ fn tetrahedra(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -
 /// # Errors
 /// As [`read`], and [`Error::File`] with [`Empty`](SurfaceError::Empty) where there is no face.
 pub fn read_surface(name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
-    let budget = Budget::of_file(bytes.len());
-    read_surface_within(&budget, name, bytes, &|uri| budget.admit(resources(uri)?).ok())
+    with_budget(bytes, resources, |budget, resources| read_surface_within(budget, name, bytes, resources))
 }
 
 /// As [`read_surface`], with what is left of a budget. What `resources` gives is for the caller to count.
@@ -148,6 +146,12 @@ fn surface(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> R
         return Err(FileError::from(SurfaceError::Empty { reason }).into());
     }
     Ok(soup)
+}
+
+/// Reads by a budget of the file's own, which what `resources` gives is counted against.
+fn with_budget<T>(bytes: &[u8], resources: Resources, read: impl FnOnce(&Budget, Resources) -> Result<T>) -> Result<T> {
+    let budget = Budget::of_file(bytes.len());
+    read(&budget, &|uri| budget.admit(resources(uri)?).ok())
 }
 
 /// What a file holds; none of VTK, whose cells count vertices from 0 without gaps.

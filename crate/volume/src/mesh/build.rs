@@ -205,12 +205,6 @@ pub(crate) fn components(vertices: usize, tetrahedra: impl Iterator<Item = [u32;
         connected.join(b, c);
         connected.join(c, d);
     }
-    let mut components: Vec<u32> = Vec::with_capacity(vertices);
-    let mut count = 0;
-    for vertex in 0..vertices as u32 {
-        let first = connected.least(vertex);
-        components.push(if first == vertex { count } else { components[first as usize] });
-        count += u32::from(first == vertex);
-    }
+    let (components, count) = connected.sets();
     (components, count as usize)
 }
