@@ -46,7 +46,7 @@ test('a setting whose factors do not fit keeps the field, and works with conjuga
   const before = await heatwalk.distanceAt({ vertex: 600 });
   await openSection(page, 'solver');
   await page.getByRole('combobox', { name: 'Boundary' }).selectOption('average');
-  await expect(message).toContainText(/factoring takes .* of memory/);
+  await expect(message).toContainText(/Factoring takes .* of memory/);
   expect(await heatwalk.distanceAt({ vertex: 600 })).toBe(before);
   await message.getByRole('button', { name: 'Use conjugate gradients' }).click();
   await expect.poll(async () => (await heatwalk.scene()).parameters.solver).toBe('cg');

@@ -196,7 +196,7 @@ test('factors that do not fit leave the method as it was, and conjugate gradient
   await openSection(page, 'solver');
   await choose(page, 'heat');
   const alert = page.getByRole('alert');
-  await expect(alert).toContainText(/factoring takes [\d.]+ MiB of memory/);
+  await expect(alert).toContainText(/Factoring takes [\d.]+ MiB of memory/);
   expect((await heatwalk.scene()).method).toBe('auto');
   expect((await heatwalk.field()).maxDistance).toBe(maxDistance);
   await alert.getByRole('button', { name: 'Use conjugate gradients' }).click();
