@@ -5,8 +5,6 @@ import { PNG } from 'pngjs';
 import { grid, off } from '../fixtures';
 import { expect, openSection, test, difference } from '../page';
 
-test.use({ deviceScaleFactor: 1 });
-
 const legend = (page: Page) => page.getByRole('region', { name: 'Legend' });
 const words = (page: Page) => legend(page).getByRole('img').getAttribute('aria-label');
 
@@ -23,26 +21,6 @@ function barLength(page: Page): Promise<number> {
       return Array.from(row).filter((value, i) => i % 4 === 3 && value > 128).length;
     });
 }
-
-test('it tells what the colors mean in the unit that is shown, and a length that is true in the middle of the model', async ({
-  heatwalk,
-  page,
-}) => {
-  await heatwalk.openFile('square.off', off(grid(N)), SQUARE);
-  await heatwalk.settled();
-  await expect.poll(() => words(page)).toContain('Distance (m): from 0 to 1.41 m, by color. Stripes 0.0707 m apart.');
-  expect(await words(page)).toContain('Up is Z.');
-
-  const middle = (N / 2) * (N + 1) + N / 2;
-  const [from, to] = [await heatwalk.pixelOf({ vertex: middle }), await heatwalk.pixelOf({ vertex: middle + 1 })];
-  const meter = N * Math.hypot(to[0] - from[0], to[1] - from[1]);
-  const [, length] = /Scale bar: ([\d.]+) m\./.exec((await words(page)) ?? '') ?? [];
-  expect(Math.abs((await barLength(page)) - Number(length) * meter)).toBeLessThan(1.5);
-
-  await page.getByLabel('Convert to').selectOption('cm');
-  await expect.poll(() => words(page)).toContain('Distance (cm): from 0 to 141 cm, by color. Stripes 7.07 cm apart.');
-  expect(await words(page)).toContain(`Scale bar: ${100 * Number(length)} cm.`);
-});
 
 test('it tells heat and error where these are shown, and costs', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny&paint=heat');
@@ -148,62 +126,87 @@ function bounds(values: readonly number[]): number[] {
   return values.reduce(([least, most], value) => [Math.min(least, value), Math.max(most, value)], [1e9, -1]);
 }
 
-test('it is in saved images unless it is hidden, at their resolution, and in pictures of scripts that ask for it', async ({
-  heatwalk,
-  page,
-}) => {
-  await heatwalk.open('#v=1&m=teapot');
-  await heatwalk.settled();
-  await expect(legend(page)).toBeVisible();
-  await openSection(page, 'share');
-  const saved = async () => {
-    const saving = page.waitForEvent('download');
-    await page.getByRole('button', { name: 'Save image' }).click();
-    return PNG.sync.read(fs.readFileSync(await (await saving).path()));
-  };
-  /** The first and last column and row of the pixels that differ from a picture without it. */
-  const traces = async (picture: PNG) => {
-    const plain = await heatwalk.drawing(2, false);
-    expect([picture.width, picture.height]).toEqual([plain.width, plain.height]);
-    const places: [number, number][] = [];
-    picture.data.forEach((value, i) => {
-      if (value !== plain.data[i]) places.push([(i >> 2) % plain.width, Math.floor((i >> 2) / plain.width)]);
-    });
-    const [xs, ys] = [places.map(([x]) => x), places.map(([, y]) => y)];
-    return { columns: bounds(xs), rows: bounds(ys) };
-  };
-  const box = await legend(page).boundingBox();
-  if (!box) throw new Error('no legend');
-  const { columns, rows } = await traces(await saved());
-  // Twice as large, in the corner.
-  expect(columns[0]).toBeGreaterThanOrEqual(22);
-  expect(columns[1] - columns[0]).toBeGreaterThan(2 * box.width - 8);
-  expect(columns[1]).toBeLessThanOrEqual(24 + 2 * box.width + 2);
-  expect(rows[1] - rows[0]).toBeGreaterThan(2 * box.height - 8);
-  expect(rows[1]).toBeLessThanOrEqual(24 + 2 * box.height + 2);
+test.describe(() => {
+  // Its pixels are those of the window.
+  test.use({ deviceScaleFactor: 1 });
 
-  const bytes = (isAsked: boolean) =>
-    page.evaluate(async (asked) => (await window.heatwalk.picture(1, false, asked)).size, isAsked);
-  expect(await bytes(true)).toBeGreaterThan((await bytes(false)) + 500);
+  test('it tells what the colors mean in the unit that is shown, and a length that is true in the middle of the model', async ({
+    heatwalk,
+    page,
+  }) => {
+    await heatwalk.openFile('square.off', off(grid(N)), SQUARE);
+    await heatwalk.settled();
+    await expect.poll(() => words(page)).toContain('Distance (m): from 0 to 1.41 m, by color. Stripes 0.0707 m apart.');
+    expect(await words(page)).toContain('Up is Z.');
 
-  await page.keyboard.press('l');
-  await expect(legend(page)).toBeHidden();
-  expect((await traces(await saved())).columns).toEqual([1e9, -1]);
-});
+    const middle = (N / 2) * (N + 1) + N / 2;
+    const [from, to] = [await heatwalk.pixelOf({ vertex: middle }), await heatwalk.pixelOf({ vertex: middle + 1 })];
+    const meter = N * Math.hypot(to[0] - from[0], to[1] - from[1]);
+    const [, length] = /Scale bar: ([\d.]+) m\./.exec((await words(page)) ?? '') ?? [];
+    expect(Math.abs((await barLength(page)) - Number(length) * meter)).toBeLessThan(1.5);
 
-test('it is in frames, in forced colors too', async ({ heatwalk, page }) => {
-  await page.emulateMedia({ forcedColors: 'active' });
-  await page.setViewportSize({ width: 800, height: 600 });
-  await heatwalk.open('#v=1&m=bunny&kiosk=1');
-  await expect(legend(page)).toBeVisible();
-  const darkest = await legend(page)
-    .locator('canvas')
-    .evaluate((canvas: HTMLCanvasElement) => {
-      // Text on a ground of the system, in its color for text: black here.
-      const row = canvas.getContext('2d')?.getImageData(0, 16, canvas.width, 1).data ?? [];
-      return Array.from({ length: row.length / 4 }).some((_, i) => row[4 * i + 3] > 250 && row[4 * i] < 16);
-    });
-  expect(darkest).toBe(true);
+    await page.getByLabel('Convert to').selectOption('cm');
+    await expect.poll(() => words(page)).toContain('Distance (cm): from 0 to 141 cm, by color. Stripes 7.07 cm apart.');
+    expect(await words(page)).toContain(`Scale bar: ${100 * Number(length)} cm.`);
+  });
+
+  test('it is in saved images unless it is hidden, at their resolution, and in pictures of scripts that ask for it', async ({
+    heatwalk,
+    page,
+  }) => {
+    await heatwalk.open('#v=1&m=teapot');
+    await heatwalk.settled();
+    await expect(legend(page)).toBeVisible();
+    await openSection(page, 'share');
+    const saved = async () => {
+      const saving = page.waitForEvent('download');
+      await page.getByRole('button', { name: 'Save image' }).click();
+      return PNG.sync.read(fs.readFileSync(await (await saving).path()));
+    };
+    /** The first and last column and row of the pixels that differ from a picture without it. */
+    const traces = async (picture: PNG) => {
+      const plain = await heatwalk.drawing(2, false);
+      expect([picture.width, picture.height]).toEqual([plain.width, plain.height]);
+      const places: [number, number][] = [];
+      picture.data.forEach((value, i) => {
+        if (value !== plain.data[i]) places.push([(i >> 2) % plain.width, Math.floor((i >> 2) / plain.width)]);
+      });
+      const [xs, ys] = [places.map(([x]) => x), places.map(([, y]) => y)];
+      return { columns: bounds(xs), rows: bounds(ys) };
+    };
+    const box = await legend(page).boundingBox();
+    if (!box) throw new Error('no legend');
+    const { columns, rows } = await traces(await saved());
+    // Twice as large, in the corner.
+    expect(columns[0]).toBeGreaterThanOrEqual(22);
+    expect(columns[1] - columns[0]).toBeGreaterThan(2 * box.width - 8);
+    expect(columns[1]).toBeLessThanOrEqual(24 + 2 * box.width + 2);
+    expect(rows[1] - rows[0]).toBeGreaterThan(2 * box.height - 8);
+    expect(rows[1]).toBeLessThanOrEqual(24 + 2 * box.height + 2);
+
+    const bytes = (isAsked: boolean) =>
+      page.evaluate(async (asked) => (await window.heatwalk.picture(1, false, asked)).size, isAsked);
+    expect(await bytes(true)).toBeGreaterThan((await bytes(false)) + 500);
+
+    await page.keyboard.press('l');
+    await expect(legend(page)).toBeHidden();
+    expect((await traces(await saved())).columns).toEqual([1e9, -1]);
+  });
+
+  test('it is in frames, in forced colors too', async ({ heatwalk, page }) => {
+    await page.emulateMedia({ forcedColors: 'active' });
+    await page.setViewportSize({ width: 800, height: 600 });
+    await heatwalk.open('#v=1&m=bunny&kiosk=1');
+    await expect(legend(page)).toBeVisible();
+    const darkest = await legend(page)
+      .locator('canvas')
+      .evaluate((canvas: HTMLCanvasElement) => {
+        // Text on a ground of the system, in its color for text: black here.
+        const row = canvas.getContext('2d')?.getImageData(0, 16, canvas.width, 1).data ?? [];
+        return Array.from({ length: row.length / 4 }).some((_, i) => row[4 * i + 3] > 250 && row[4 * i] < 16);
+      });
+    expect(darkest).toBe(true);
+  });
 });
 
 for (const [width, height] of [

@@ -1,6 +1,10 @@
 //! Polygons to triangles: a fan where the polygon is strictly convex, a constrained Delaunay triangulation by spade elsewhere.
 
+use std::cmp::Reverse;
+
 use glam::{DVec2, DVec3};
+use heatwalk_base::parallel;
+use heatwalk_surface::index::along_curve;
 use heatwalk_surface::{WarningCode, Warnings};
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation, mitigate_underflow};
 
@@ -10,6 +14,9 @@ use crate::error::Result;
 /// Bytes a corner that a polygon takes while it is cut: its points, as they are and sorted, and vertices, edges and faces of spade.
 /// All of reading a comb of 100,000 corners takes 366.
 const CUTTING_BYTES: u64 = 384;
+
+/// Corners from which on they are inserted one by one: all at once grow as the square of their number where they lie on circles.
+const MANY: usize = 4096;
 
 /// Polygons as one list of corners. They are triangulated last, since a file may name vertices before it gives them.
 #[derive(Debug)]
@@ -189,6 +196,7 @@ fn area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
 }
 
 /// A corner in its plane.
+#[derive(Clone, Copy)]
 struct Corner {
     point: Point2<f64>,
     index: usize,
@@ -200,6 +208,25 @@ impl HasPosition for Corner {
     fn position(&self) -> Point2<f64> {
         self.point
     }
+}
+
+type Delaunay = ConstrainedDelaunayTriangulation<Corner>;
+
+/// The Delaunay triangulation of corners at different places. Many are inserted in rounds, each of about twice as many as the one
+/// before and along a curve (Amenta, Choi and Rote, "Incremental constructions con BRIO", 2003).
+fn delaunay(corners: Vec<Corner>) -> Option<Delaunay> {
+    if corners.len() < MANY {
+        return Delaunay::bulk_load(corners).ok();
+    }
+    let place = |number: usize| DVec3::new(corners[number].point.x, corners[number].point.y, 0.0);
+    let mut order = along_curve(corners.len(), place, parallel::ONE);
+    // Multiples of the golden ratio are spread evenly: half of them begin with no zero, a quarter with one.
+    order.sort_by_key(|number| Reverse(number.wrapping_mul(0x9e37_79b9).leading_zeros()));
+    let mut delaunay = Delaunay::new();
+    for number in order {
+        delaunay.insert(corners[number as usize]).ok()?;
+    }
+    Some(delaunay)
 }
 
 /// The triangles inside of a counter-clockwise outline: where it winds around counter-clockwise. Corners of one place count as one,
@@ -223,7 +250,7 @@ fn cut(plane: &[DVec2]) -> Option<Vec<[usize; 3]>> {
         same.iter().for_each(|&corner| first_there[corner] = same[0]);
         corners.push(Corner { point: points[same[0]], index: same[0] });
     }
-    let mut delaunay = ConstrainedDelaunayTriangulation::<Corner>::bulk_load(corners).ok()?;
+    let mut delaunay = delaunay(corners)?;
     let mut vertex = vec![None; points.len()];
     delaunay.vertices().for_each(|corner| vertex[corner.data().index] = Some(corner.fix()));
     // How often the outline goes along a half-edge, less how often against it. Constraints keep their numbers.
