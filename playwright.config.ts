@@ -1,6 +1,6 @@
 import { defineConfig } from '@playwright/test';
 import { PAGE } from './tests/built';
-import { ALWAYS, MESA, WEBGL, WEBGPU } from './tools/chromium.mjs';
+import { ALWAYS, MESA, OPAQUE, WEBGL, WEBGPU } from './tools/chromium.mjs';
 import { hasMesa } from './tools/needs.mjs';
 
 /** Another one lets two checkouts be tested side by side. */
@@ -62,18 +62,24 @@ export default defineConfig({
       name: 'webgl',
       testDir: 'tests/browser',
       testIgnore: [PICTURES, WHOLE],
-      use: browser(SHELL, FAST),
+      use: browser(SHELL, [...FAST, OPAQUE]),
       ...chosen,
     },
     { name: 'chromium', testDir: 'tests/browser', testMatch: WHOLE, use: browser(CHROMIUM, FAST), ...chosen },
-    { name: 'pictures', testDir: 'tests/browser', testMatch: PICTURES, use: browser(CHROMIUM, WEBGL), ...chosen },
+    {
+      name: 'pictures',
+      testDir: 'tests/browser',
+      testMatch: PICTURES,
+      use: browser(CHROMIUM, [...WEBGL, OPAQUE]),
+      ...chosen,
+    },
     // Driven by other means than the rest.
     { name: 'others', testDir: 'tests/others', workers: 1, ...chosen },
     {
       name: 'webgpu',
       testDir: 'tests/browser',
       testMatch: DRAWN,
-      use: browser(CHROMIUM, WEBGPU),
+      use: browser(CHROMIUM, [...WEBGPU, OPAQUE]),
       ...chosen,
       grepInvert: isSlow ? /@page/ : [SLOW, /@page/],
     },

@@ -61,6 +61,21 @@ for (const { width, height, ...media } of WINDOWS) {
   });
 }
 
+test('what floats over the model is opaque where the system asks for less transparency', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=hemisphere');
+  const session = await page.context().newCDPSession(page);
+  const toolbar = async (value: string) => {
+    await session.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-reduced-transparency', value }] });
+    return page.locator('.toolbar').evaluate((element) => {
+      const { backgroundColor, backdropFilter } = getComputedStyle(element);
+      return [backgroundColor, backdropFilter];
+    });
+  };
+  expect(await toolbar('no-preference')).toEqual(['rgba(255, 255, 255, 0.86)', 'blur(16px) saturate(1.4)']);
+  expect(await toolbar('reduce')).toEqual(['rgb(255, 255, 255)', 'none']);
+  await session.detach();
+});
+
 test('arrows scroll the panel while it has the focus; letters act there too, and nowhere once they are off', async ({
   heatwalk,
   page,
