@@ -1,4 +1,4 @@
-// docs/gallery.md: each figure with its images, the links of their scenes, and the fragments of these links to copy.
+// docs/gallery.md: each figure with its images and the links of their scenes.
 
 const ADDRESS = 'http://localhost:5173/';
 
@@ -7,8 +7,7 @@ const INTRODUCTION = [
   '',
   'Scenes drawn by Heatwalk; many repeat figures of the INF555 report by He and Hung. `npm run gallery` makes this document.',
   '',
-  `Start the page with \`npm start\`. Then the caption below each image opens its scene, at ${ADDRESS}. If \`npm start\``,
-  'prints another address, append the fragment of the scene to it: the fragments are listed below the images.',
+  `The caption below each image opens its scene on a page that \`npm start\` serves at ${ADDRESS}, or after the address that it prints.`,
 ];
 const COLUMNS = 3;
 
@@ -29,6 +28,5 @@ function figureText({ title, text, panels }) {
       cells(({ caption, fragment }) => `[${caption}](${ADDRESS}${fragment})`),
     );
   }
-  const fragments = panels.map(({ caption, fragment }) => `- ${caption}: \`${fragment}\``);
-  return [...lines, '', '<details>', '<summary>Fragments</summary>', '', ...fragments, '', '</details>'];
+  return lines;
 }
