@@ -125,6 +125,30 @@ test.describe('on a phone', () => {
   });
 });
 
+test('in no window does a message lie over the hint or the tools', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=hemisphere');
+  await heatwalk.settled();
+  await expect(page.locator('.hint')).toBeVisible();
+  for (const [width, height] of [
+    [1400, 900],
+    [1290, 700],
+    [1000, 700],
+    [972, 600],
+    [960, 600],
+    [720, 900],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    const [message, hint, tools] = await Promise.all(
+      ['.message.summary', '.hint', '.toolbar'].map((part) => page.locator(part).boundingBox()),
+    );
+    if (!message || !hint || !tools) throw new Error('something is not there');
+    for (const other of [hint, tools]) {
+      const isBeside = message.x + message.width <= other.x || other.x + other.width <= message.x;
+      expect(isBeside || message.y + message.height <= other.y, `${width} × ${height}`).toBe(true);
+    }
+  }
+});
+
 test('a window of another shape shows as much of the model', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny');
   await page.mouse.wheel(0, 200);

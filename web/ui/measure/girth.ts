@@ -14,7 +14,7 @@ import { save } from '../../view/picture';
 import { attribute, h, say, select, slider, toggle } from '../dom';
 import { CutHandle } from '../cut';
 import { fileNameOf, percent } from '../words';
-import { labelElement, standing } from './standing';
+import { labelElement, stand, standing } from './standing';
 
 /** The girth, and other curves of the plane; widths in CSS pixels. */
 const GIRTH = { colour: '#ff4fd8', width: 2.5 };
@@ -60,7 +60,7 @@ export class GirthTool {
     this.section = this.#controls();
     standing(session).add({ labels: () => [this.#label], taken: () => [] });
     session.view.overprints.push((context) => {
-      if (!this.#label.hidden) standing(session).print(context, this.#label);
+      if (!this.#label.hidden) standing(session).print(context, [this.#label]);
     });
     this.#girths.loops.watch(() => this.#show());
     session.scene.subscribe((state, previous) => {
@@ -82,7 +82,7 @@ export class GirthTool {
       .filter((pixel) => pixel !== null);
     const right = pixels.reduce((one, other) => (other[0] > one[0] ? other : one), pixels[0] ?? [0, 0]);
     this.#label.hidden = pixels.length === 0;
-    this.#label.style.transform = `translate(${right[0].toFixed(1)}px, ${right[1].toFixed(1)}px)`;
+    stand(this.#label, right);
     standing(this.#session).place();
   }
 

@@ -10,7 +10,7 @@ import { h, say } from '../dom';
 import { arrowOf, draggable, hasModifier, keyGesture } from '../gesture';
 import type { MeasureInput } from './input';
 import { middleOf, polylineOf, positionsOf } from './curves';
-import { boxOf, labelElement, standing } from './standing';
+import { boxOf, labelElement, stand, standing } from './standing';
 import { areaLabel, lengthWords } from './words';
 import { sentences, t, type Words } from '../../texts';
 import { HALO, RIM, rimmed } from '../../view/layers';
@@ -86,7 +86,7 @@ export class TapeLabels {
       const pixel = view.project(position);
       element.hidden = pixel === null;
       if (!pixel) continue;
-      element.style.transform = `translate(${pixel[0].toFixed(1)}px, ${pixel[1].toFixed(1)}px)`;
+      stand(element, pixel);
       const seen = view.pick(...pixel)?.position;
       const isBehind = seen !== undefined && distance(seen, position) > SEEN_WITHIN * diameter;
       element.toggleAttribute('data-behind', isBehind);
@@ -210,7 +210,8 @@ export class TapeLabels {
       context.fillStyle = LINE.colour;
       context.fill();
     }
-    for (const { element } of this.#labels.filter(isSeen)) standing(this.#session).print(context, element);
+    const labels = this.#labels.filter(isSeen).map(({ element }) => element);
+    standing(this.#session).print(context, labels);
   }
 }
 

@@ -34,6 +34,12 @@ export function labelElement(kind: string, text: Words): HTMLElement {
   return label;
 }
 
+/** Stands an element where a place is seen. A transform would keep the line of a label above the labels before it. */
+export function stand({ style }: HTMLElement, [x, y]: Pixel): void {
+  style.left = `${x.toFixed(1)}px`;
+  style.top = `${y.toFixed(1)}px`;
+}
+
 class Standing {
   readonly #session: Session;
   readonly #all: Labelled[] = [];
@@ -70,23 +76,25 @@ class Standing {
     });
   }
 
-  /** Draws a label on a picture. */
-  print(context: PlaneContext, label: Element): void {
-    const [span, leader] = label.children;
-    if (!span || !leader) return;
+  /** Draws labels on a picture, each above the lines of all of them. */
+  print(context: PlaneContext, labels: readonly Element[]): void {
     const stage = this.#session.view.stage.getBoundingClientRect();
-    const { left, top, width, height } = span.getBoundingClientRect();
-    const frame = { x: left - stage.left, y: top - stage.top, width, height };
-    if (leader.checkVisibility()) {
-      const anchor = label.getBoundingClientRect();
+    for (const label of labels) {
+      const [span, leader] = label.children;
+      if (!span || !leader?.checkVisibility()) continue;
+      const [anchor, box] = [boxOf(label), boxOf(span)];
       context.beginPath();
-      context.moveTo(anchor.left - stage.left, anchor.top - stage.top);
-      context.lineTo(frame.x + width / 2, frame.y + height / 2);
+      context.moveTo(anchor.x - stage.left, anchor.y - stage.top);
+      context.lineTo(box.x - stage.left, box.y - stage.top);
       context.lineWidth = leader.clientHeight;
       context.strokeStyle = getComputedStyle(leader).backgroundColor;
       context.stroke();
     }
-    printLabel(context, span, frame);
+    for (const { firstElementChild: span } of labels) {
+      if (!span) continue;
+      const { left, top, width, height } = span.getBoundingClientRect();
+      printLabel(context, span, { x: left - stage.left, y: top - stage.top, width, height });
+    }
   }
 
   /** Of the window, what panel and tools leave: they reach in from the sides and from below. */
