@@ -5,13 +5,13 @@ use std::time::Instant;
 use anyhow::{Context, Result, ensure};
 use heatwalk::{RelativeError, Up};
 use heatwalk_volume::{TetMesh, TetSource, VolumeDistance, VolumeMethod, VolumeOptions, VolumeSolver};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::commands::{build, prepare, push_mesh};
 use super::input::{Input, along, refuse, refuse_bridging, source};
 use crate::args::Distance;
 use crate::output::{Columns, Output};
-use crate::report::{Report, milliseconds};
+use crate::report::{Report, milliseconds, object};
 
 pub fn distance(arguments: &Distance, input: &Input) -> Result<String> {
     let options = options(arguments)?;
@@ -82,14 +82,10 @@ fn together(
     let answer = solver.distance(sources, options)?;
     let solve_ms = milliseconds(start);
     let values = of_inputs(solver.mesh(), &answer);
-    for (name, value) in facts(&answer, &values) {
-        said.push(name, value);
-    }
+    said.extend(facts(&answer, &values));
     if arguments.compare {
         let marched = solver.distance(sources, &VolumeOptions::default())?;
-        let error = RelativeError::between(&answer.values, &marched.values);
-        said.push("mean_error_percent", 100.0 * error.mean);
-        said.push("max_error_percent", 100.0 * error.max);
+        said.push_error(RelativeError::between(&answer.values, &marched.values));
     }
     Ok((vec![("distance".to_owned(), values)], solve_ms))
 }
@@ -107,8 +103,7 @@ fn each(
         let answer = solver.distance(&[source], options).with_context(|| format!("source {number}"))?;
         solve_ms += milliseconds(start);
         let values = of_inputs(solver.mesh(), &answer);
-        let facts = facts(&answer, &values).into_iter();
-        answers.push(Value::Object(facts.map(|(name, value)| (name.to_owned(), value)).collect::<Map<_, _>>()));
+        answers.push(object(facts(&answer, &values)));
         columns.push((format!("distance_{number}"), values));
     }
     said.push("each", answers);
