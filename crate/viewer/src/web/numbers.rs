@@ -185,7 +185,10 @@ pub(super) fn inner_triangles(given: &DrawnTriangles) -> Result<InnerTriangles, 
 }
 
 pub(super) fn section(given: &DrawnSection) -> Result<SectionArrays, Error> {
-    Ok(SectionArrays { mesh: inner_triangles(&given.mesh())?, tangents: groups("tangents", given.tangents().to_vec())? })
+    Ok(SectionArrays {
+        mesh: inner_triangles(&given.mesh())?,
+        tangents: groups("tangents", given.tangents().to_vec())?,
+    })
 }
 
 /// Planes of four numbers each.
