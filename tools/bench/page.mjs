@@ -108,14 +108,14 @@ export class Page {
     return this.#with(BLANK, async (tab) => {
       await tab.addScriptTag({ path: join(root, 'node_modules', 'comlink', 'dist', 'umd', 'comlink.min.js') });
       try {
-        const measured = tab.evaluate(measure, {
-          worker: asset(/^entry-.*\.js$/),
-          module: asset(/^heatwalk_worker_bg-.*\.wasm$/),
-          mesh: MESH,
-          parameters: PARAMETERS,
-          ...options,
-        });
-        return await Promise.race([measured, silence()]);
+        const measured = async () => {
+          await tab.evaluate(offerWorkers, {
+            worker: asset(/^entry-.*\.js$/),
+            module: asset(/^heatwalk_worker_bg-.*\.wasm$/),
+          });
+          return tab.evaluate(measure, { mesh: MESH, parameters: PARAMETERS, ...options });
+        };
+        return await Promise.race([measured(), silence()]);
       } catch (error) {
         return { failed: error.message.split('\n')[0] };
       }
@@ -294,7 +294,8 @@ async function untilReady() {
   return { backend: window.heatwalk.backend, addresses: before.map(({ name }) => name) };
 }
 
-async function measureWorker({ worker, module, mesh, parameters, windows, sources }) {
+/** What the functions that measure need of the tab: workers that are started, those that are warmed up too, and callbacks for them. */
+async function offerWorkers({ worker, module }) {
   const { Comlink } = window;
   const compiled = await WebAssembly.compileStreaming(fetch(module));
   const started = async () => {
@@ -302,15 +303,24 @@ async function measureWorker({ worker, module, mesh, parameters, windows, source
     await api.start(compiled);
     return api;
   };
-  // As on the page, where a preset is shown first, and then the worker of the next mesh warms up.
+  const warmed = async () => {
+    const api = await started();
+    await api.warmUp();
+    return api;
+  };
   const progress = () => Comlink.proxy(() => undefined);
+  Object.assign(window, { started, warmed, progress });
+}
+
+async function measureWorker({ mesh, parameters, windows, sources }) {
+  const { started, warmed, progress } = window;
+  // As on the page, where a preset is shown first, and then the worker of the next mesh warms up.
   const room = { windows, memory: 'auto' };
   const shown = await started();
   await shown.open({ kind: 'shape', shape: 'icosphere' }, [], room, progress());
   await shown.prepare(parameters, progress());
   await shown.solve([{ vertex: 0 }], false, null);
-  const api = await started();
-  await api.warmUp();
+  const api = await warmed();
   const bytes = new Uint8Array(await (await fetch(mesh)).arrayBuffer());
   // An earlier commit takes a file as `name` and `bytes`.
   const file = { path: 'mesh.ply', content: new Blob([bytes]), name: 'mesh.ply', bytes };
@@ -335,13 +345,10 @@ async function measureWorker({ worker, module, mesh, parameters, windows, source
   };
 }
 
-async function measureInside({ worker, module, mesh, name, parameters, isByHeat }) {
-  const { Comlink } = window;
-  const api = Comlink.wrap(new Worker(worker, { type: 'module' }));
-  await api.start(await WebAssembly.compileStreaming(fetch(module)));
-  await api.warmUp();
+async function measureInside({ mesh, name, parameters, isByHeat }) {
+  const { warmed, progress } = window;
+  const api = await warmed();
   const content = await (await fetch(mesh)).blob();
-  const progress = () => Comlink.proxy(() => undefined);
   const times = [performance.now()];
   const file = { kind: 'files', mesh: name, files: [{ path: name, content }] };
   const { interior } = await api.open(file, [], { windows: 1, memory: 'auto' }, progress());
@@ -355,13 +362,10 @@ async function measureInside({ worker, module, mesh, name, parameters, isByHeat 
   return { tetrahedra: interior.tetrahedra.length / 4, open, precompute, solve, memory: memoryBytes };
 }
 
-async function measureModel({ worker, module, mesh, name, runs }) {
-  const { Comlink } = window;
-  const api = Comlink.wrap(new Worker(worker, { type: 'module' }));
-  await api.start(await WebAssembly.compileStreaming(fetch(module)));
-  await api.warmUp();
+async function measureModel({ mesh, name, runs }) {
+  const { warmed, progress } = window;
+  const api = await warmed();
   const content = await (await fetch(mesh)).blob();
-  const progress = () => Comlink.proxy(() => undefined);
   const input = { kind: 'files', mesh: name, files: [{ path: name, content }] };
   const [reads, joins] = [[], []];
   for (let run = 0; run < runs; run++) {

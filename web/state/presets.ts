@@ -53,7 +53,7 @@ function preset(id: string, outline: Outline): Preset {
     id,
     title,
     credit: credit ?? t('made by Heatwalk'),
-    load: load ?? (() => Promise.resolve({ kind: 'shape', shape: id })),
+    load: load ?? (() => Promise.resolve({ kind: inside ? 'tetrahedra' : 'shape', shape: id })),
     view: view ?? LANDING_VIEW,
     start: {
       ...emptyScene({ kind: 'preset', id }),
@@ -70,10 +70,32 @@ function preset(id: string, outline: Outline): Preset {
   };
 }
 
+type InnerPlace = readonly [tetrahedron: number, weights: InnerPoint['weights']];
+
+/** Inside of tetrahedra that are cut open, from one place to the only source, at another. */
+const walkInside = (
+  source: InnerPlace,
+  walker: InnerPlace,
+  cut: Inside['cut'],
+): Pick<Outline, 'sources' | 'walker' | 'view' | 'method' | 'inside'> => ({
+  sources: [within(source)],
+  walker: within(walker),
+  view: [0.4, 0.4],
+  method: 'auto',
+  inside: { cut },
+});
+
 /** From one vertex to the only source, at another. */
 const walk = (source: number, walker: number): Pick<Outline, 'sources' | 'walker'> => ({
   sources: [at(source)],
   walker: at(walker),
+});
+
+/** On a terrain whose ground the code says. */
+const over = (ground: string): Pick<Outline, 'style' | 'method' | 'ground'> => ({
+  style: 'contour',
+  method: 'auto',
+  ground: decodeGround(ground) ?? {},
 });
 
 export const PRESETS: readonly [Preset, ...Preset[]] = [
@@ -125,49 +147,26 @@ export const PRESETS: readonly [Preset, ...Preset[]] = [
     load: () => Promise.resolve({ kind: 'shape', shape: 'terrain' }),
     ...walk(14851, 1795),
     view: [0.5, 0.75],
-    style: 'contour',
-    method: 'auto',
-    ground: decodeGround(HIKE) ?? {},
+    ...over(HIKE),
   }),
-  preset('village', {
-    title: t('Village'),
-    ...walk(4066, 12600),
-    view: [0.35, 0.75],
-    style: 'contour',
-    method: 'auto',
-    ground: decodeGround(VILLAGE) ?? {},
-  }),
+  preset('village', { title: t('Village'), ...walk(4066, 12600), view: [0.35, 0.75], ...over(VILLAGE) }),
   preset('inside', {
     title: t('Teapot inside'),
     credit: t('Martin Newell, public domain; filled'),
     load: loadTeapot,
-    sources: [within(45096, [0.0444, 0.0444, 0.2905, 0.6207])],
-    walker: within(50650, [0.0142, 0.0142, 0.2196, 0.752]),
-    view: [0.4, 0.4],
+    ...walkInside([45096, [0.0444, 0.0444, 0.2905, 0.6207]], [50650, [0.0142, 0.0142, 0.2196, 0.752]], 'plane'),
     style: 'porcelain',
-    method: 'auto',
     fill: 100_000,
-    inside: { cut: 'plane' },
   }),
   preset('pipe', {
     title: t('Pipe'),
-    load: () => Promise.resolve({ kind: 'tetrahedra', shape: 'pipe' }),
-    sources: [within(2260, [0.1153, 0.7516, 0.0888, 0.0443])],
-    walker: within(47086, [0.7025, 0.0801, 0.171, 0.0464]),
-    view: [0.4, 0.4],
+    ...walkInside([2260, [0.1153, 0.7516, 0.0888, 0.0443]], [47086, [0.7025, 0.0801, 0.171, 0.0464]], 'plane'),
     style: 'zebra',
-    method: 'auto',
-    inside: { cut: 'plane' },
   }),
   preset('cave', {
     title: t('Cave'),
-    load: () => Promise.resolve({ kind: 'tetrahedra', shape: 'cave' }),
-    sources: [within(28356, [0.0246, 0.3378, 0.3412, 0.2964])],
-    walker: within(25810, [0.4582, 0.0666, 0.3292, 0.146]),
-    view: [0.4, 0.4],
+    ...walkInside([28356, [0.0246, 0.3378, 0.3412, 0.2964]], [25810, [0.4582, 0.0666, 0.3292, 0.146]], 'wedge'),
     style: 'lava',
-    method: 'auto',
-    inside: { cut: 'wedge' },
   }),
   preset('torus', { title: t('Torus'), ...walk(7264, 2998), view: [0.4, 0.7], style: 'neon' }),
   preset('icosphere', { title: t('Sphere'), ...walk(2889, 10217), view: [1.3, 0.55], style: 'citrus' }),
@@ -195,7 +194,7 @@ function at(vertex: number): MeshPoint {
   return { vertex };
 }
 
-function within(tetrahedron: number, weights: InnerPoint['weights']): MeshPoint {
+function within([tetrahedron, weights]: InnerPlace): MeshPoint {
   return { tetrahedron, weights };
 }
 

@@ -88,22 +88,7 @@ export const NO_MESH = {
 };
 export const NO_APPEARANCE: Appearance = { materials: [], images: [] };
 export const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0, byCorner: false };
-export const NO_INSIDE: InnerView = {
-  positions: new Float32Array(),
-  normals: new Float32Array(),
-  values: new Float32Array(),
-  tangents: new Int8Array(),
-  triangles: new Uint32Array(),
-  tetrahedra: new Uint32Array(),
-  weights: new Float32Array(),
-  hidesSurface: false,
-  shellPositions: new Float32Array(),
-  shellNormals: new Float32Array(),
-  shellValues: new Float32Array(),
-  shellTriangles: new Uint32Array(),
-  arrowPlaces: new Float32Array(),
-  arrowVectors: new Float32Array(),
-};
+export const NO_ARROWS: InnerView['arrows'] = { places: new Float32Array(), vectors: new Float32Array() };
 export function emptyPicture(): Picture {
   return { layers: new Map(), stride: 1, edges: NO_EDGES, fields: NO_FIELDS, inside: null, otherInside: null };
 }

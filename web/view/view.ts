@@ -24,10 +24,10 @@ import {
   type Fields,
   type Layer,
   NO_APPEARANCE,
+  NO_ARROWS,
   NO_EDGES,
   NO_FIELD,
   NO_FIELDS,
-  NO_INSIDE,
   NO_MESH,
   ORDER,
   type Picture,
@@ -182,8 +182,7 @@ export class View extends Screen {
     if (other !== this.#picture.fields.other) this.#showFields({ ...this.#picture.fields, other });
     if (inside === this.#picture.otherInside) return;
     this.#picture.otherInside = inside;
-    const { section, shells } = partsOf(inside ?? NO_INSIDE);
-    this.#show('otherInside', (viewer) => viewer.set_other_inside(section, shells));
+    this.#show('otherInside', (viewer) => viewer.set_other_inside(inside?.section, inside?.shells));
   }
 
   /** Both in colors up to the larger of their largest values. */
@@ -203,14 +202,13 @@ export class View extends Screen {
   setInside(inside: InnerView | null, planes: readonly number[]): void {
     if (!inside && !this.#picture.inside) return;
     this.#picture.inside = inside;
-    const { hidesSurface, arrowPlaces, arrowVectors } = inside ?? NO_INSIDE;
-    const { section, shells } = partsOf(inside ?? NO_INSIDE);
+    const { places, vectors } = inside?.arrows ?? NO_ARROWS;
     const cut = Float32Array.from(inside ? planes : []);
     this.#show('inside', (viewer) => {
       viewer.set_cut(cut);
-      viewer.set_section(section, hidesSurface);
-      viewer.set_shells(shells, SHELL_OPACITY);
-      viewer.set_inner_arrows(arrowPlaces, arrowVectors);
+      viewer.set_section(inside?.section, inside?.hidesSurface ?? false);
+      viewer.set_shells(inside?.shells, SHELL_OPACITY);
+      viewer.set_inner_arrows(places, vectors);
     });
   }
 
@@ -349,8 +347,8 @@ export class View extends Screen {
     const [weights, position] = [vectorAt(hit.weights, 0), vectorAt(hit.point, 0)];
     const { triangle, is_on_section: isOnSection } = hit;
     hit.free();
-    const inner = isOnSection && this.#picture.inside ? innerPoint(this.#picture.inside, triangle, weights) : null;
-    return { point: inner ?? { face: triangle, weights }, position };
+    const section = isOnSection ? this.#picture.inside?.section : undefined;
+    return { point: section ? innerPoint(section, triangle, weights) : { face: triangle, weights }, position };
   }
 
   /** CSS pixels of the window; null behind the camera and while a preview is drawn. */
@@ -386,20 +384,12 @@ export class View extends Screen {
   }
 }
 
-/** Section and shells as the renderer takes them; null where there are none. */
-function partsOf({ positions, normals, values, tangents, triangles, ...rest }: InnerView) {
-  const { shellPositions, shellNormals, shellValues, shellTriangles } = rest;
-  const shells = { positions: shellPositions, normals: shellNormals, values: shellValues, triangles: shellTriangles };
-  return {
-    section: triangles.length > 0 ? { positions, normals, values, tangents, triangles } : null,
-    shells: shellTriangles.length > 0 ? shells : null,
-  };
-}
-
 /** A place on the section as one in its tetrahedron. */
-function innerPoint({ triangles, tetrahedra, weights }: InnerView, triangle: number, shares: Vector): MeshPoint {
+function innerPoint(section: InnerView['section'], triangle: number, shares: Vector): MeshPoint {
+  const { mesh, tetrahedra, weights } = section;
+  const vertexAt = (i: number) => entry(mesh.triangles, 3 * triangle + i);
   const at = (corner: number) =>
-    shares.reduce((sum, share, i) => sum + share * entry(weights, 4 * entry(triangles, 3 * triangle + i) + corner), 0);
+    shares.reduce((sum, share, i) => sum + share * entry(weights, 4 * vertexAt(i) + corner), 0);
   return { tetrahedron: entry(tetrahedra, triangle), weights: [at(0), at(1), at(2), at(3)] };
 }
 

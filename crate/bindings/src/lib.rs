@@ -35,14 +35,21 @@ export type Progress = (stage: Stage, fraction: number) => void;
 export type Resource = (uri: string) => Uint8Array | undefined;
 ";
 
+#[wasm_bindgen]
+extern "C" {
+    /// A function of JavaScript's that gives the bytes of a file, or undefined where it was not given.
+    #[wasm_bindgen(extends = Function, typescript_type = "Resource")]
+    pub type Resource;
+}
+
 /// A panic ends with its message as a `RuntimeError`, so that a bare trap is one thing only: memory that was refused.
 #[wasm_bindgen(start)]
 pub fn start() {
     std::panic::set_hook(Box::new(|panic| end(&panic.to_string())));
 }
 
-/// The files that a mesh refers to, by a function of JavaScript that gives their bytes, or undefined where one was not given.
-pub fn resources(function: &Function) -> impl Fn(&str) -> Option<Vec<u8>> {
+/// The files that a mesh refers to.
+pub fn resources(function: &Resource) -> impl Fn(&str) -> Option<Vec<u8>> {
     move |uri| {
         let found = function.call1(&JsValue::NULL, &uri.into()).ok()?;
         Some(found.dyn_into::<Uint8Array>().ok()?.to_vec())

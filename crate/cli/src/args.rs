@@ -8,7 +8,7 @@ use anyhow::Result;
 use clap::error::ErrorKind;
 use clap::{ArgGroup, Args, Parser, Subcommand};
 use glam::DVec3;
-use heatwalk::{BridgeRule, DistanceOptions, MultiSource, UnitRule, Up, WeldRule};
+use heatwalk::{BridgeRule, DistanceOptions, MultiSource, Parameters, UnitRule, Up, WeldRule};
 
 use crate::ground::Ground;
 use crate::method::{Given, Methods};
@@ -97,6 +97,21 @@ pub struct Info {
     pub bridging: Bridging,
 }
 
+/// On what ground distances are found, and how.
+#[derive(Args)]
+pub struct Solving {
+    #[command(flatten)]
+    pub bridging: Bridging,
+    #[command(flatten)]
+    pub ground: Ground,
+    #[command(flatten)]
+    pub methods: Methods,
+    #[command(flatten)]
+    pub options: Options,
+    #[command(flatten)]
+    pub linear: Linear,
+}
+
 /// From where distances are asked for, on what ground, and how they are found.
 #[derive(Args)]
 pub struct Question {
@@ -112,21 +127,13 @@ pub struct Question {
     #[arg(long, requires = "lines")]
     pub closed: bool,
     #[command(flatten)]
-    pub bridging: Bridging,
-    #[command(flatten)]
-    pub ground: Ground,
-    #[command(flatten)]
-    pub methods: Methods,
+    pub solving: Solving,
     /// The same as --method exact
     #[arg(long, conflicts_with = "method")]
     pub exact: bool,
     /// Leave what is farther than D at infinity; not for heat
     #[arg(long, value_name = "D", value_parser = positive, allow_negative_numbers = true)]
     pub max_distance: Option<f64>,
-    #[command(flatten)]
-    pub options: Options,
-    #[command(flatten)]
-    pub linear: Linear,
     #[arg(long, value_parser = choice::<MultiSource>(), help = chosen::<MultiSource>("How several sources are joined"))]
     pub multi: Option<MultiSource>,
 }
@@ -203,15 +210,7 @@ pub struct Path {
     #[arg(long, value_name = "S")]
     pub to: Place,
     #[command(flatten)]
-    pub bridging: Bridging,
-    #[command(flatten)]
-    pub ground: Ground,
-    #[command(flatten)]
-    pub methods: Methods,
-    #[command(flatten)]
-    pub options: Options,
-    #[command(flatten)]
-    pub linear: Linear,
+    pub solving: Solving,
     /// Straighten the path until it is locally shortest
     #[arg(long)]
     pub straighten: bool,
@@ -258,24 +257,42 @@ pub struct Table {
     pub json: bool,
 }
 
+impl Solving {
+    /// The first option of the heat method that is given.
+    pub fn heat_option(&self) -> Option<&'static str> {
+        self.options.given().or(self.linear.given())
+    }
+
+    /// `sources`: how several are joined.
+    pub fn heat(&self, sources: MultiSource) -> Parameters {
+        self.options.parameters(self.linear.solver.unwrap_or_default(), sources)
+    }
+
+    fn distance_options(&self, given: &Given, sources: MultiSource) -> Result<DistanceOptions> {
+        Ok(DistanceOptions {
+            method: self.methods.chosen(given)?,
+            windows: self.methods.windows.unwrap_or_default(),
+            heat: self.heat(sources),
+            ..DistanceOptions::default()
+        })
+    }
+}
+
 impl Question {
     /// What is asked of the solver.
     ///
     /// # Errors
     /// Options that would have no effect.
     pub fn distance_options(&self) -> Result<DistanceOptions> {
-        let given = Given {
-            heat: self.options.given().or(self.linear.given()).or(self.multi.map(|_| "--multi")),
-            exact: self.exact,
-            search: self.max_distance.map(|_| "--max-distance"),
-        };
-        Ok(DistanceOptions {
-            method: self.methods.chosen(&given)?,
-            windows: self.methods.windows.unwrap_or_default(),
-            max_distance: self.max_distance.unwrap_or(f64::INFINITY),
-            heat: self.options.parameters(self.linear.solver.unwrap_or_default(), self.multi.unwrap_or_default()),
-            ..DistanceOptions::default()
-        })
+        let search = self.max_distance.map(|_| "--max-distance");
+        let given = Given { heat: self.heat_option(), exact: self.exact, search };
+        let options = self.solving.distance_options(&given, self.multi.unwrap_or_default())?;
+        Ok(DistanceOptions { max_distance: self.max_distance.unwrap_or(f64::INFINITY), ..options })
+    }
+
+    /// The first option of the heat method that is given.
+    pub fn heat_option(&self) -> Option<&'static str> {
+        self.solving.heat_option().or(self.multi.map(|_| "--multi"))
     }
 }
 
@@ -285,13 +302,8 @@ impl Path {
     /// # Errors
     /// Options that would have no effect.
     pub fn distance_options(&self) -> Result<DistanceOptions> {
-        let given = Given { heat: self.options.given().or(self.linear.given()), exact: self.exact, search: None };
-        Ok(DistanceOptions {
-            method: self.methods.chosen(&given)?,
-            windows: self.methods.windows.unwrap_or_default(),
-            heat: self.options.parameters(self.linear.solver.unwrap_or_default(), MultiSource::default()),
-            ..DistanceOptions::default()
-        })
+        let given = Given { heat: self.solving.heat_option(), exact: self.exact, search: None };
+        self.solving.distance_options(&given, MultiSource::default())
     }
 }
 

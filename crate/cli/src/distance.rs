@@ -7,12 +7,12 @@ use heatwalk::{
     Answer, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, RelativeError, Source, Surface, VertexData,
     VertexId, Windows, go_on, propagation::ALL,
 };
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use crate::args::Distance;
 use crate::output::{Columns, Output};
 use crate::question::{Posed, pose};
-use crate::report::{Report, milliseconds};
+use crate::report::{Report, milliseconds, object};
 use crate::timing::{median_solve_ms, sample};
 use crate::volume;
 
@@ -27,12 +27,8 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     if options.method == Method::Heat {
         report.push_stages(&prepared.stages_ms);
     }
-    let asked = (arguments, &options);
-    let (columns, solve_ms) = if arguments.each {
-        each(&mut prepared.solver, &sources, asked, &mut report)?
-    } else {
-        together(&mut prepared.solver, &sources, asked, &mut report)?
-    };
+    let asked = Asked { solver: &mut prepared.solver, sources: &sources, arguments, options: &options };
+    let (columns, solve_ms) = if arguments.each { asked.each(&mut report)? } else { asked.together(&mut report)? };
     if let Some(output) = output {
         output.write(&input.model, arguments.axis.up, &columns)?;
     }
@@ -49,52 +45,49 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     Ok(report.render(arguments.question.mesh.json))
 }
 
-/// From all sources at once. Milliseconds of that, or the median over single sources.
-fn together(
-    solver: &mut DistanceSolver,
-    sources: &[Source],
-    (arguments, options): (&Distance, &DistanceOptions),
-    report: &mut Report,
-) -> Result<(Columns, f64)> {
-    let start = Instant::now();
-    let answer = solver.distance(sources, options, &mut go_on)?;
-    let mut solve_ms = milliseconds(start);
-    if arguments.repeat > 1 {
-        let vertices = sample(solver.surface(), arguments.repeat);
-        report.push("timed_sources", numbers(solver.surface(), &vertices));
-        solve_ms = median_solve_ms(&vertices, |source| Ok(solver.distance(&[source], options, &mut go_on)?))?;
-    }
-    let values = solver.of_inputs(&answer);
-    for (name, value) in facts(&answer, &values, options) {
-        report.push(name, value);
-    }
-    if arguments.compare {
-        let exact = solver.distance(sources, &DistanceOptions::by(Method::Exact), &mut go_on)?;
-        push_errors(&answer.distance.values, &exact.distance.values, report);
-    }
-    Ok((vec![("distance".to_owned(), values)], solve_ms))
+/// What distances are asked for, of whom.
+struct Asked<'a> {
+    solver: &'a mut DistanceSolver,
+    sources: &'a [Source],
+    arguments: &'a Distance,
+    options: &'a DistanceOptions,
 }
 
-/// From each source by itself. Milliseconds of them all.
-fn each(
-    solver: &mut DistanceSolver,
-    sources: &[Source],
-    (arguments, options): (&Distance, &DistanceOptions),
-    report: &mut Report,
-) -> Result<(Columns, f64)> {
-    let threads = arguments.question.mesh.threads();
-    let start = Instant::now();
-    let answers = solver.distances_from_each(sources, options, threads, &mut go_on)?;
-    let solve_ms = milliseconds(start);
-    let columns = |(number, answer): (usize, &Answer)| (format!("distance_{number}"), solver.of_inputs(answer));
-    let columns: Columns = answers.iter().enumerate().map(columns).collect();
-    let object = |(answer, (_, values)): (&Answer, &(String, Vec<f64>))| {
-        let facts = facts(answer, values, options).into_iter();
-        Value::Object(facts.map(|(name, value)| (name.to_owned(), value)).collect::<Map<_, _>>())
-    };
-    report.push("threads", threads.get());
-    report.push("each", answers.iter().zip(&columns).map(object).collect::<Vec<_>>());
-    Ok((columns, solve_ms))
+impl Asked<'_> {
+    /// From all sources at once. Milliseconds of that, or the median over single sources.
+    fn together(self, report: &mut Report) -> Result<(Columns, f64)> {
+        let Self { solver, sources, arguments, options } = self;
+        let start = Instant::now();
+        let answer = solver.distance(sources, options, &mut go_on)?;
+        let mut solve_ms = milliseconds(start);
+        if arguments.repeat > 1 {
+            let vertices = sample(solver.surface(), arguments.repeat);
+            report.push("timed_sources", numbers(solver.surface(), &vertices));
+            solve_ms = median_solve_ms(&vertices, |source| Ok(solver.distance(&[source], options, &mut go_on)?))?;
+        }
+        let values = solver.of_inputs(&answer);
+        report.extend(facts(&answer, &values, options));
+        if arguments.compare {
+            let exact = solver.distance(sources, &DistanceOptions::by(Method::Exact), &mut go_on)?;
+            report.push_error(error(&answer.distance.values, &exact.distance.values));
+        }
+        Ok((vec![("distance".to_owned(), values)], solve_ms))
+    }
+
+    /// From each source by itself. Milliseconds of them all.
+    fn each(self, report: &mut Report) -> Result<(Columns, f64)> {
+        let Self { solver, sources, arguments, options } = self;
+        let threads = arguments.question.mesh.threads();
+        let start = Instant::now();
+        let answers = solver.distances_from_each(sources, options, threads, &mut go_on)?;
+        let solve_ms = milliseconds(start);
+        let columns = |(number, answer): (usize, &Answer)| (format!("distance_{number}"), solver.of_inputs(answer));
+        let columns: Columns = answers.iter().enumerate().map(columns).collect();
+        let told = |(answer, (_, values)): (&Answer, &(String, Vec<f64>))| object(facts(answer, values, options));
+        report.push("threads", threads.get());
+        report.push("each", answers.iter().zip(&columns).map(told).collect::<Vec<_>>());
+        Ok((columns, solve_ms))
+    }
 }
 
 /// What is to be told of an answer, whose values are `of_inputs`.
@@ -115,13 +108,11 @@ pub fn facts(answer: &Answer, of_inputs: &[f64], options: &DistanceOptions) -> V
     facts
 }
 
-fn push_errors(values: &VertexData<f64>, exact: &VertexData<f64>, report: &mut Report) {
+fn error(values: &VertexData<f64>, exact: &VertexData<f64>) -> RelativeError {
     // What was left at infinity is not compared.
     let pairs = values.iter().zip(exact).filter(|(value, _)| value.is_finite());
     let (values, exact): (Vec<f64>, Vec<f64>) = pairs.unzip();
-    let error = RelativeError::between(&values, &exact);
-    report.push("mean_error_percent", 100.0 * error.mean);
-    report.push("max_error_percent", 100.0 * error.max);
+    RelativeError::between(&values, &exact)
 }
 
 /// Vertices by their numbers in the input, for others to be timed on the same.

@@ -10,7 +10,7 @@ use serde_json::json;
 use crate::args::Fill;
 use crate::input::Input;
 use crate::output::Output;
-use crate::report::{Report, milliseconds};
+use crate::report::{Report, milliseconds, push_fields};
 use crate::timing::build;
 use crate::volume;
 
@@ -51,16 +51,12 @@ pub fn fill(arguments: &Fill) -> Result<String> {
 }
 
 fn push(report: &mut Report, filled: &FillReport, estimate: &Estimate) {
-    report.push("tetrahedra", filled.tetrahedra);
     report.push("estimated_tetrahedra", estimate.tetrahedra);
     report.push("tetrahedron_vertices", filled.vertices);
-    report.push("cells", filled.cells);
-    report.push("cell_side", filled.cell_side);
-    report.push("volume", filled.volume);
-    report.push("surface_volume", filled.surface_volume);
-    report.push("dihedral_angles", filled.dihedral_angles.to_vec());
-    report.push("deviation", filled.deviation);
-    report.push("holes", filled.holes);
+    push_fields!(
+        report,
+        filled { tetrahedra, cells, cell_side, volume, surface_volume, dihedral_angles, deviation, holes }
+    );
 }
 
 fn in_words(filled: &FillReport) -> String {

@@ -58,9 +58,7 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     }
 
     let values = prepared.solver.of_inputs(&answer);
-    for (name, value) in facts(&answer, &values, &options) {
-        report.push(name, value);
-    }
+    report.extend(facts(&answer, &values, &options));
     let exact = format!("exact to about {TRUE_TO} of the length");
     report.push("curves", if is_true { exact } else { "chords of triangles".to_owned() });
     if !question.mesh.json {

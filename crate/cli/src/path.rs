@@ -35,8 +35,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     let input = Input::of(&arguments.mesh)?;
     arguments.from.check(&input.model.soup)?;
     arguments.to.check(&input.model.soup)?;
-    let (solver, mut report, build_ms) =
-        walkable(&input, &arguments.mesh, &arguments.bridging, (&arguments.ground, arguments.axis.up))?;
+    let (solver, mut report, build_ms) = walkable(&input, &arguments.mesh, &arguments.solving, arguments.axis.up)?;
     let from = arguments.from.on(&input.model.soup, solver.surface())?;
     let to = arguments.to.on(&input.model.soup, solver.surface())?;
     let mut prepared = prepare((solver, build_ms), &options)?;

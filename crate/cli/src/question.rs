@@ -3,8 +3,7 @@
 use anyhow::Result;
 use heatwalk::{DistanceOptions, DistanceSolver, Source, Up};
 
-use crate::args::{Bridging, Mesh, Question};
-use crate::ground::Ground;
+use crate::args::{Mesh, Question, Solving};
 use crate::input::Input;
 use crate::report::Report;
 use crate::timing::{Prepared, build, join, prepare};
@@ -23,7 +22,7 @@ pub fn pose(question: &Question, up: Up, options: &DistanceOptions) -> Result<Po
     let input = Input::of(&question.mesh)?;
     question.sources.iter().try_for_each(|source| source.place.check(&input.model.soup))?;
     question.lines.iter().try_for_each(|line| line.check(&input.model.soup))?;
-    let (solver, report, build_ms) = walkable(&input, &question.mesh, &question.bridging, (&question.ground, up))?;
+    let (solver, report, build_ms) = walkable(&input, &question.mesh, &question.solving, up)?;
     let mut sources = question
         .sources
         .iter()
@@ -36,19 +35,14 @@ pub fn pose(question: &Question, up: Up, options: &DistanceOptions) -> Result<Po
     Ok(Posed { input, sources, prepared, report })
 }
 
-/// The solver of a surface with its bridges, walls and costs, what is to be told of it, and the milliseconds that it took. `ground` is
-/// measured against this axis of the file.
-pub fn walkable(
-    input: &Input,
-    mesh: &Mesh,
-    bridging: &Bridging,
-    (ground, up): (&Ground, Up),
-) -> Result<(DistanceSolver, Report, f64)> {
+/// The solver of a surface with its bridges, walls and costs, what is to be told of it, and the milliseconds that it took. `up`: the axis
+/// of the file that the ground is measured against.
+pub fn walkable(input: &Input, mesh: &Mesh, solving: &Solving, up: Up) -> Result<(DistanceSolver, Report, f64)> {
     let threads = mesh.threads();
     let (surface, built_ms) = build(input, mesh.weld, threads)?;
     let mut solver = DistanceSolver::on_threads(surface, threads);
-    ground.lay(&mut solver, &input.model, up)?;
-    let join_ms = join(&mut solver, bridging)?;
+    solving.ground.lay(&mut solver, &input.model, up)?;
+    let join_ms = join(&mut solver, &solving.bridging)?;
     let mut report = Report::default();
     report.push_surface(solver.whole().report());
     report.push_unit(input.unit);

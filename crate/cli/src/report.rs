@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use heatwalk::{BuildReport, Joined, LengthUnit, Link, Soup, Stage, Unit, Warning};
+use heatwalk::{BuildReport, Joined, LengthUnit, Link, RelativeError, Soup, Stage, Unit, Warning};
 use heatwalk_model::Motion;
 use heatwalk_model::motion::Clip;
 use serde_json::{Map, Value, json};
@@ -11,6 +11,18 @@ use serde_json::{Map, Value, json};
 pub fn milliseconds(start: Instant) -> f64 {
     start.elapsed().as_secs_f64() * 1e3
 }
+
+pub fn object(values: impl IntoIterator<Item = (&'static str, Value)>) -> Value {
+    Value::Object(values.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
+}
+
+/// Pushes fields of a struct under their own names.
+macro_rules! push_fields {
+    ($report:ident, $of:ident { $($field:ident),+ $(,)? }) => {
+        $($report.push(stringify!($field), $of.$field);)+
+    };
+}
+pub(crate) use push_fields;
 
 /// Named values in the order they are printed.
 #[derive(Default)]
@@ -21,6 +33,15 @@ pub struct Report {
 impl Report {
     pub fn push(&mut self, name: &'static str, value: impl Into<Value>) {
         self.values.push((name, value.into()));
+    }
+
+    pub fn extend(&mut self, values: impl IntoIterator<Item = (&'static str, Value)>) {
+        self.values.extend(values);
+    }
+
+    pub fn push_error(&mut self, error: RelativeError) {
+        self.push("mean_error_percent", 100.0 * error.mean);
+        self.push("max_error_percent", 100.0 * error.max);
     }
 
     /// The counts that every command gives.
@@ -60,14 +81,19 @@ impl Report {
     /// What building found and did.
     pub fn push_build(&mut self, report: &BuildReport) {
         self.push("joined_vertices", report.welded_vertices);
-        self.push("crack_vertices", report.crack_vertices);
-        self.push("crack_width", report.crack_width);
-        self.push("unreferenced_vertices", report.unreferenced_vertices);
-        self.push("degenerate_faces", report.degenerate_faces);
-        self.push("duplicate_faces", report.duplicate_faces);
-        self.push("flipped_faces", report.flipped_faces);
-        self.push("non_manifold_edges", report.non_manifold_edges);
-        self.push("euler_characteristic", report.euler_characteristic);
+        push_fields!(
+            self,
+            report {
+                crack_vertices,
+                crack_width,
+                unreferenced_vertices,
+                degenerate_faces,
+                duplicate_faces,
+                flipped_faces,
+                non_manifold_edges,
+                euler_characteristic,
+            }
+        );
     }
 
     /// Stages of the same name, one for each boundary condition, are added up.
@@ -100,9 +126,7 @@ impl Report {
     }
 
     fn json(self) -> String {
-        let object: Map<String, Value> =
-            self.values.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
-        format!("{}\n", Value::Object(object))
+        format!("{}\n", object(self.values))
     }
 
     fn lines(self) -> String {

@@ -45,7 +45,7 @@ pub(crate) struct Piece<'a> {
 /// The pieces of a strip, in the order of their first triangles.
 pub(crate) fn pieces<'a>(field: &'a Field, strips: &'a Strips, strip: usize) -> Vec<Piece<'a>> {
     let range = strips.ranges[strip].clone();
-    let (triangles, origins) = (&strips.triangles[range.clone()], &strips.origins[range]);
+    let triangles = &strips.triangles[range.clone()];
     let edges = Edges::of(triangles);
     let mut is_taken = vec![false; triangles.len()];
     let mut is_turned = vec![false; triangles.len()];
@@ -69,25 +69,23 @@ pub(crate) fn pieces<'a>(field: &'a Field, strips: &'a Strips, strip: usize) -> 
             }
         }
         members.sort_unstable();
-        let turned = |triangle: usize, [a, b, c]: [u32; 3]| if is_turned[triangle] { [a, c, b] } else { [a, b, c] };
-        let own = members.iter().map(|&triangle| turned(triangle, triangles[triangle])).collect();
-        let face = |triangle: usize| field.triangles()[origins[triangle] as usize];
-        let faces = members.iter().map(|&triangle| turned(triangle, face(triangle))).collect();
-        let origins = members.iter().map(|&triangle| origins[triangle]).collect();
-        pieces.push(Piece::new(field, strips, strip, own, origins, faces));
+        let members = members.into_iter().map(|triangle| (range.start + triangle, is_turned[triangle]));
+        pieces.push(Piece::new(field, strips, strip, members));
     }
     pieces
 }
 
 impl<'a> Piece<'a> {
-    fn new(
-        field: &'a Field,
-        strips: &'a Strips,
-        strip: usize,
-        triangles: Vec<[u32; 3]>,
-        origins: Vec<u32>,
-        faces: Vec<[u32; 3]>,
-    ) -> Self {
+    /// Of triangles of the strips, each with whether it has to be turned.
+    fn new(field: &'a Field, strips: &'a Strips, strip: usize, members: impl Iterator<Item = (usize, bool)>) -> Self {
+        let (mut triangles, mut origins, mut faces) = (Vec::new(), Vec::new(), Vec::new());
+        for (index, is_turned) in members {
+            let turned = |[a, b, c]: [u32; 3]| if is_turned { [a, c, b] } else { [a, b, c] };
+            let origin = strips.origins[index];
+            triangles.push(turned(strips.triangles[index]));
+            origins.push(origin);
+            faces.push(turned(field.triangles()[origin as usize]));
+        }
         let edges = Edges::of(&triangles);
         let fans = UnionFind::new(3 * triangles.len());
         for side in 0..3 * triangles.len() {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use heatwalk::{Soup, Unit, Up};
-use heatwalk_bindings::{Failure, Message, Result, resources, transform};
+use heatwalk_bindings::{Failure, Message, Resource, Result, resources, transform};
 use heatwalk_model::{Model, io};
 use js_sys::{Float64Array, Function, Uint32Array};
 use wasm_bindgen::prelude::*;
@@ -233,7 +233,7 @@ pub fn distance_file_of(
     kind: &str,
     name: &str,
     bytes: &[u8],
-    #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
+    resource: &Resource,
     parts: &[u32],
     distances: &[f64],
     unit: FileUnit,

@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use heatwalk::{Soup, Surface};
-use heatwalk_bindings::{Failure, Result, resources, transform};
+use heatwalk_bindings::{Failure, Resource, Result, resources, transform};
 use heatwalk_model::Model;
 use heatwalk_volume::fill::{Resolution, Solid};
 use heatwalk_volume::{TetMesh, TetSoup, io, shapes};
@@ -52,21 +52,13 @@ impl Tetrahedra {
 #[wasm_bindgen]
 impl Tetrahedra {
     /// Reads a file. `resource` gives the bytes of the other one of two.
-    pub fn read(
-        name: &str,
-        bytes: &[u8],
-        #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
-    ) -> Result<Self> {
+    pub fn read(name: &str, bytes: &[u8], resource: &Resource) -> Result<Self> {
         let file = io::read(name, bytes, &resources(resource))?;
         Self::build(file.soup, Origin::File(file.cells))
     }
 
     /// Reads the faces of a file without tetrahedra, for the solver's module.
-    pub fn surface(
-        name: &str,
-        bytes: &[u8],
-        #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
-    ) -> Result<Vec<u8>> {
+    pub fn surface(name: &str, bytes: &[u8], resource: &Resource) -> Result<Vec<u8>> {
         Ok(Model::from(io::read_surface(name, bytes, &resources(resource))?).packed())
     }
 

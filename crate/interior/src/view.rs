@@ -35,36 +35,51 @@ const MOST_EXPLODED: usize = 300_000;
 const LEAST_SPACING: f64 = 0.02;
 
 /// What is drawn of the inside.
-#[derive(Default, Message)]
+#[derive(Message)]
 pub struct InnerView {
-    /// `#N × 3`, the section, as it is drawn.
+    /// What closes the cut, or whole tetrahedra.
+    pub section: InnerSection,
+    /// Whether the section stands in for the boundary.
+    pub hides_surface: bool,
+    /// Shells of equal distance, whose normals point away from the sources.
+    pub shells: InnerTriangles,
+    /// Arrows along the gradient of distance.
+    pub arrows: InnerArrows,
+}
+
+/// Triangles that close the cut, or of whole tetrahedra, and where they are.
+#[derive(Message)]
+pub struct InnerSection {
+    /// Its triangles.
+    pub mesh: InnerTriangles,
+    /// `#N × 4`: direction in which distance grows, 127 for a unit; the fourth number is 0.
+    pub tangents: Vec<i8>,
+    /// `#T`, the tetrahedron of the input that each triangle is in.
+    pub tetrahedra: Vec<u32>,
+    /// `#N × 4`, barycentric weights of each vertex in the tetrahedron of its triangles, by the corners that it has in the input.
+    pub weights: Vec<f32>,
+}
+
+/// Triangles inside of the solid.
+#[derive(Default, Message)]
+pub struct InnerTriangles {
+    /// `#N × 3`, as they are drawn.
     pub positions: Vec<f32>,
     /// `#N × 3`, unit length.
     pub normals: Vec<f32>,
     /// `#N`, distances; Infinity where no source can be reached; empty without a field.
     pub values: Vec<f32>,
-    /// `#N × 4`: direction in which distance grows, 127 for a unit; the fourth number is 0.
-    pub tangents: Vec<i8>,
-    /// `#T × 3`, indices of the section's vertices.
+    /// `#T × 3`, indices of the vertices.
     pub triangles: Vec<u32>,
-    /// `#T`, the tetrahedron of the input that each triangle is in.
-    pub tetrahedra: Vec<u32>,
-    /// `#N × 4`, barycentric weights of each vertex in the tetrahedron of its triangles, by the corners that it has in the input.
-    pub weights: Vec<f32>,
-    /// Whether the section stands in for the boundary.
-    pub hides_surface: bool,
-    /// `#S × 3`, shells of equal distance, as they are drawn.
-    pub shell_positions: Vec<f32>,
-    /// `#S × 3`, unit length, away from the sources.
-    pub shell_normals: Vec<f32>,
-    /// `#S`, distances.
-    pub shell_values: Vec<f32>,
-    /// Three indices of vertices of shells a triangle.
-    pub shell_triangles: Vec<u32>,
-    /// `#A × 3`, where arrows are drawn.
-    pub arrow_places: Vec<f32>,
+}
+
+/// Arrows inside of the solid; none where the arrays are empty.
+#[derive(Default, Message)]
+pub struct InnerArrows {
+    /// `#A × 3`, as they are drawn.
+    pub places: Vec<f32>,
     /// `#A × 3`, the gradient of distance there.
-    pub arrow_vectors: Vec<f32>,
+    pub vectors: Vec<f32>,
 }
 
 impl InnerView {
@@ -91,64 +106,81 @@ impl InnerView {
         } else {
             Section::of_cut(mesh, &cut)
         };
-        let mut view = Self::of_section(mesh, drawn, distance, &section)?;
         // Without a cut, shells would be behind all the rest.
         let has_only_shells = spacing > 0.0 && cut == Cut::Whole && gap == 0.0 && !is_whole;
-        view.hides_surface = gap > 0.0 || is_whole || has_only_shells;
-        if let Some(distance) = distance.filter(|_| spacing > 0.0) {
-            let levels = levels(distance.max(), spacing.max(LEAST_SPACING));
-            let shells = Shells::in_cut(mesh, distance, &levels, &cut)?;
-            view.shell_positions = drawn.transform.places(shells.positions);
-            view.shell_normals = drawn.transform.directions(shells.normals);
-            view.shell_values = shells.values.iter().map(|&value| value as f32).collect();
-            view.shell_triangles = shells.triangles.into_flattened();
-        }
-        if let Some(distance) = distance.filter(|_| flag(wanted, "arrows")) {
-            view.add_arrows(mesh, drawn, distance, &section)?;
-        }
-        Ok(view)
+        let shells = match distance.filter(|_| spacing > 0.0) {
+            Some(distance) => {
+                let levels = levels(distance.max(), spacing.max(LEAST_SPACING));
+                InnerTriangles::of_shells(drawn, Shells::in_cut(mesh, distance, &levels, &cut)?)
+            }
+            None => InnerTriangles::default(),
+        };
+        let arrows = match distance.filter(|_| flag(wanted, "arrows")) {
+            Some(distance) => InnerArrows::on(mesh, drawn, distance, &section)?,
+            None => InnerArrows::default(),
+        };
+        Ok(Self {
+            section: InnerSection::new(mesh, drawn, distance, &section)?,
+            hides_surface: gap > 0.0 || is_whole || has_only_shells,
+            shells,
+            arrows,
+        })
     }
+}
 
-    fn of_section(mesh: &TetMesh, drawn: &Drawn, distance: Option<&VolumeDistance>, section: &Section) -> Result<Self> {
+impl InnerTriangles {
+    fn of_shells(drawn: &Drawn, shells: Shells) -> Self {
+        Self {
+            positions: drawn.transform.places(shells.positions),
+            normals: drawn.transform.directions(shells.normals),
+            values: singles(shells.values),
+            triangles: shells.triangles.into_flattened(),
+        }
+    }
+}
+
+impl InnerSection {
+    fn new(mesh: &TetMesh, drawn: &Drawn, distance: Option<&VolumeDistance>, section: &Section) -> Result<Self> {
         let (values, tangents) = match distance {
             Some(distance) => (
-                section.interpolate(mesh, &distance.values)?.into_iter().map(|value| value as f32).collect(),
+                singles(section.interpolate(mesh, &distance.values)?),
                 section.gradients(mesh, distance)?.into_iter().flat_map(|gradient| drawn.bytes(gradient)).collect(),
             ),
             None => Default::default(),
         };
         let tetrahedron = |corners: &[u32; 3]| drawn.input_of(section.tetrahedra[corners[0] as usize]);
+        let weights = (section.tetrahedra.iter().zip(&section.weights))
+            .flat_map(|(&tetrahedron, &weights)| drawn.input_weights(tetrahedron, weights));
         Ok(Self {
-            positions: drawn.transform.places(section.positions.iter().copied()),
-            normals: drawn.transform.directions(section.normals.iter().copied()),
-            values,
+            mesh: InnerTriangles {
+                positions: drawn.transform.places(section.positions.iter().copied()),
+                normals: drawn.transform.directions(section.normals.iter().copied()),
+                values,
+                triangles: section.triangles.as_flattened().to_vec(),
+            },
             tangents,
-            triangles: section.triangles.as_flattened().to_vec(),
             tetrahedra: section.triangles.iter().map(tetrahedron).collect(),
-            weights: (section.tetrahedra.iter().zip(&section.weights))
-                .flat_map(|(&tetrahedron, &weights)| drawn.input_weights(tetrahedron, weights))
-                .map(|weight| weight as f32)
-                .collect(),
-            ..Self::default()
+            weights: singles(weights),
         })
     }
+}
 
+impl InnerArrows {
     /// One a triangle of the section.
-    fn add_arrows(
-        &mut self,
-        mesh: &TetMesh,
-        drawn: &Drawn,
-        distance: &VolumeDistance,
-        section: &Section,
-    ) -> Result<()> {
+    fn on(mesh: &TetMesh, drawn: &Drawn, distance: &VolumeDistance, section: &Section) -> Result<Self> {
         let gradients = section.gradients(mesh, distance)?;
         let middle =
             |corners: &[u32; 3]| corners.iter().map(|&corner| section.positions[corner as usize]).sum::<DVec3>() / 3.0;
-        self.arrow_places = drawn.transform.places(section.triangles.iter().map(middle));
         let gradient = |corners: &[u32; 3]| gradients[corners[0] as usize];
-        self.arrow_vectors = drawn.transform.directions(section.triangles.iter().map(gradient));
-        Ok(())
+        Ok(Self {
+            places: drawn.transform.places(section.triangles.iter().map(middle)),
+            vectors: drawn.transform.directions(section.triangles.iter().map(gradient)),
+        })
     }
+}
+
+fn singles(numbers: impl IntoIterator<Item = f64>) -> Vec<f32> {
+    numbers.into_iter().map(|number| number as f32).collect()
 }
 
 /// The distances of shells up to the largest distance.

@@ -5,9 +5,8 @@
 
 use glam::DVec3;
 use heatwalk::Up;
-use heatwalk_bindings::{Result, resources};
+use heatwalk_bindings::{Resource, Result, resources};
 use heatwalk_model::io;
-use js_sys::Function;
 use wasm_bindgen::prelude::*;
 
 /// What a file holds.
@@ -20,11 +19,7 @@ pub struct ReadMesh {
 #[wasm_bindgen]
 impl ReadMesh {
     /// Reads a mesh. `resource` gives the bytes of a file that it refers to.
-    pub fn read(
-        name: &str,
-        bytes: &[u8],
-        #[wasm_bindgen(unchecked_param_type = "Resource")] resource: &Function,
-    ) -> Result<Self> {
+    pub fn read(name: &str, bytes: &[u8], resource: &Resource) -> Result<Self> {
         let model = io::read(name, bytes, &resources(resource))?;
         let up = io::upward(name, bytes).map(|up| if up == DVec3::Z { Up::Z } else { Up::Y });
         Ok(Self { packed: model.packed(), up })

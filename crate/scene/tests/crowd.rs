@@ -8,7 +8,7 @@ use crate::common;
 use std::sync::Arc;
 
 use crate::common::truth::Random;
-use crate::common::{any_triangles, band, book, distance_from, soup, square, surface, two_squares};
+use crate::common::{any_triangles, band, book, distance_from, soup, square, stretched, surface, two_squares};
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
 use heatwalk::{Costs, Distance, Error, HeatSolver, Parameters, Place, Soup, Surface, VertexId, go_on};
@@ -177,10 +177,7 @@ fn frame(n: u32) -> Soup {
 /// Soups on which only the promises count, and that nobody stays out for ever.
 #[test]
 fn any_surface() {
-    let mut squashed = square(12);
-    for position in &mut squashed.positions {
-        position.x *= 1e-4;
-    }
+    let squashed = stretched(square(12), 1e-4);
     let mut random = Random::new(3);
     let mut crumpled = square(10);
     for position in &mut crumpled.positions {

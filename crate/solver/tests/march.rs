@@ -6,8 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use std::sync::Arc;
 
 use crate::common::media::{jittered_square, least_cost, two_media};
-use crate::common::searches::{self, at, exact, geometry, mixed_sources};
-use crate::common::truth::Random;
+use crate::common::searches::{self, Case, at, exact, geometry};
 use crate::common::{nearest, square, surface};
 use glam::DVec3;
 use heatwalk::exact::ExactGeometry;
@@ -40,12 +39,7 @@ fn is_within_edges(surface: &Surface, march: &Propagation) -> bool {
 
 #[test]
 fn all_that_can_be_reached_is_and_no_later_than_along_edges() {
-    let mut random = Random::new(3);
-    for soup in searches::shapes_of_all_kinds() {
-        let surface = Arc::new(surface(&soup));
-        let geometry = geometry(&surface);
-        let sources = mixed_sources(&surface, &mut random);
-        let exact = exact(&geometry, &sources);
+    for Case { surface, geometry, sources, exact } in searches::cases_of_all_kinds() {
         for search in [ExactSearch::Automatic, ExactSearch::AtMost(0)] {
             let march = marched(&geometry, &sources, search);
             assert!(is_within_edges(&surface, &march));

@@ -11,7 +11,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::common::exact_distances::{self, Field};
-use crate::common::searches::{self, at, exact, geometry, mixed_sources};
+use crate::common::searches::{self, Case, at, exact, geometry, mixed_sources};
 use crate::common::truth::Random;
 use crate::common::{soup, square, surface};
 use glam::DVec3;
@@ -44,12 +44,7 @@ fn propagated(geometry: &Arc<ExactGeometry>, sources: &[(Place, f64)], windows: 
 
 #[test]
 fn no_value_is_below_the_exact_one_and_all_that_is_reached_has_one() {
-    let mut random = Random::new(3);
-    for soup in searches::shapes_of_all_kinds() {
-        let surface = Arc::new(surface(&soup));
-        let geometry = geometry(&surface);
-        let sources = mixed_sources(&surface, &mut random);
-        let exact = exact(&geometry, &sources);
+    for Case { geometry, sources, exact, .. } in searches::cases_of_all_kinds() {
         for windows in COUNTS {
             let propagation = propagated(&geometry, &sources, windows);
             for (&value, &least) in propagation.values().iter().zip(exact.values()) {

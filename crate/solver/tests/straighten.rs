@@ -10,7 +10,7 @@ use std::f64::consts::{PI, TAU};
 use crate::common::exact_distances::{self, Field, Known};
 use crate::common::shortness::{check_valid, largest_kink, sharpest_turn};
 use crate::common::truth::Random;
-use crate::common::{band, book, distance_from, nearest, solver, soup, square, surface};
+use crate::common::{band, book, distance_from, nearest, solver, soup, square, stretched, surface};
 use glam::{DVec3, Vec3Swizzles};
 use heatwalk::{
     Boundary, Element, FaceId, HeatSolver, InputVertex, Path, Place, Soup, Surface, VertexId, descend, edge_path,
@@ -174,14 +174,8 @@ fn sphere() {
 
 #[test]
 fn every_kind_of_surface() {
-    let mut slivers = square(12);
-    for position in &mut slivers.positions {
-        position.x *= 1e-4;
-    }
-    let mut needle = shapes::icosphere(3);
-    for position in &mut needle.positions {
-        position.x *= 1e3;
-    }
+    let slivers = stretched(square(12), 1e-4);
+    let needle = stretched(shapes::icosphere(3), 1e3);
     let shapes = [band(24, 1), band(24, 3), book(3, 6), slivers, needle, shapes::torus(2.0, 0.7, 24, 12)];
     for soup in shapes.into_iter().chain([shapes::maze(4, 3), shapes::uv_sphere(40, 20), shapes::grid(9, 9)]) {
         try_pairs(&solver(&soup, 1.0, Boundary::Neumann), 30, |_, _, _| {});
@@ -197,11 +191,8 @@ fn every_kind_of_surface() {
 fn slivers_of_any_thickness() {
     let mut random = Random::new(15);
     for thickness in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8] {
-        for mut soup in [shapes::grid(12, 12), shapes::icosphere(2)] {
-            for position in &mut soup.positions {
-                position.x *= thickness;
-            }
-            let surface = surface(&soup);
+        for soup in [shapes::grid(12, 12), shapes::icosphere(2)] {
+            let surface = surface(&stretched(soup, thickness));
             for steps in 0..100 {
                 straightened(&surface, &random_walk(&surface, &mut random, steps));
                 let from = random_point(&surface, &mut random);

@@ -8,7 +8,7 @@ use crate::common;
 use std::f64::consts::{PI, TAU};
 
 use crate::common::truth::Random;
-use crate::common::{band, book, nearest, quads, soup, square, surface, two_squares};
+use crate::common::{band, book, nearest, quads, soup, square, stretched, surface, two_squares};
 use glam::DVec3;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
@@ -170,11 +170,8 @@ fn around_a_sphere() {
 
 #[test]
 fn backwards_to_the_start() {
-    let mut stretched = shapes::icosphere(3);
-    for position in &mut stretched.positions {
-        position.x *= 50.0;
-    }
-    let shapes = [shapes::torus(2.0, 0.7, 40, 20), stretched, band(30, 1), shapes::uv_sphere(24, 12)];
+    let needle = stretched(shapes::icosphere(3), 50.0);
+    let shapes = [shapes::torus(2.0, 0.7, 40, 20), needle, band(30, 1), shapes::uv_sphere(24, 12)];
     for soup in shapes {
         let surface = surface(&soup);
         let mut random = Random::new(10);

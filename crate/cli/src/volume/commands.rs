@@ -9,10 +9,10 @@ use heatwalk::go_on;
 use heatwalk_volume::{MeshReport, TetMesh, VolumeOptions, VolumeSolver};
 use serde_json::json;
 
-use super::input::{Input, point, refuse, refuse_bridging};
+use super::input::{Input, point, refuse, refuse_bridging, volume_options};
 use crate::args::{Info, Path};
 use crate::output::Output;
-use crate::report::{Report, milliseconds};
+use crate::report::{Report, milliseconds, push_fields};
 
 pub fn info(arguments: &Info, input: &Input) -> Result<String> {
     refuse_bridging(&arguments.bridging)?;
@@ -32,37 +32,25 @@ pub fn info(arguments: &Info, input: &Input) -> Result<String> {
     said.push("split_prisms", input.cells.prisms);
     said.push("split_pyramids", input.cells.pyramids);
     said.push("curved_cells", input.cells.curved);
-    said.push("flat_tetrahedra", report.flat_tetrahedra);
-    said.push("duplicate_tetrahedra", report.duplicate_tetrahedra);
-    said.push("inverted_tetrahedra", report.inverted_tetrahedra);
+    push_fields!(said, report { flat_tetrahedra, duplicate_tetrahedra, inverted_tetrahedra });
     said.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms }));
     Ok(said.render(arguments.mesh.json))
 }
 
 pub fn path(arguments: &Path, input: &Input) -> Result<String> {
-    refuse_bridging(&arguments.bridging)?;
-    refuse(&[
-        ("--exact", arguments.exact),
-        ("--windows", arguments.methods.windows.is_some()),
-        ("--operator", arguments.options.operator.is_some()),
-    ])?;
+    let solving = &arguments.solving;
+    refuse(&[("--exact", arguments.exact)])?;
+    let options = volume_options(solving, solving.heat_option(), MultiSource::default())?;
     if arguments.straighten {
         bail!("--straighten has no effect inside of tetrahedra, where paths are as short as they get");
     }
-    let method = arguments.methods.chosen_inside(arguments.options.given().or(arguments.linear.given()))?;
-    let solver = arguments.linear.solver.unwrap_or_default();
-    let options = VolumeOptions {
-        method,
-        heat: arguments.options.parameters(solver, MultiSource::default()),
-        ..VolumeOptions::default()
-    };
     let output = arguments.output.as_deref().map(Output::path).transpose()?;
     let (mesh, build_ms) = build(input)?;
     let [from, to] = [arguments.from, arguments.to].map(|place| point(place, &input.soup, &mesh));
     let (from, to) = (from?, to?);
     let mut said = Report::default();
     push_mesh(&mut said, mesh.report());
-    let costs = arguments.ground.inside(&input.soup, &mesh)?;
+    let costs = solving.ground.inside(&input.soup, &mesh)?;
     let (mut solver, precompute_ms) = prepare(&mesh, costs.as_deref(), &options)?;
     let start = Instant::now();
     let answer = solver.distance(&[to], &options)?;

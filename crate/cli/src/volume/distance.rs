@@ -5,13 +5,13 @@ use std::time::Instant;
 use anyhow::{Context, Result, ensure};
 use heatwalk::{RelativeError, Up};
 use heatwalk_volume::{TetMesh, TetSource, VolumeDistance, VolumeMethod, VolumeOptions, VolumeSolver};
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::commands::{build, prepare, push_mesh};
-use super::input::{Input, along, refuse, refuse_bridging, source};
+use super::input::{Input, along, refuse, source, volume_options};
 use crate::args::Distance;
 use crate::output::{Columns, Output};
-use crate::report::{Report, milliseconds};
+use crate::report::{Report, milliseconds, object};
 
 pub fn distance(arguments: &Distance, input: &Input) -> Result<String> {
     let options = options(arguments)?;
@@ -25,7 +25,7 @@ pub fn distance(arguments: &Distance, input: &Input) -> Result<String> {
     }
     let mut said = Report::default();
     push_mesh(&mut said, mesh.report());
-    let costs = question.ground.inside(&input.soup, &mesh)?;
+    let costs = question.solving.ground.inside(&input.soup, &mesh)?;
     let (mut solver, precompute_ms) = prepare(&mesh, costs.as_deref(), &options)?;
     let (columns, solve_ms) = if arguments.each {
         each(&mut solver, &sources, &options, &mut said)?
@@ -48,27 +48,17 @@ pub fn distance(arguments: &Distance, input: &Input) -> Result<String> {
 
 fn options(arguments: &Distance) -> Result<VolumeOptions> {
     let question = &arguments.question;
-    refuse_bridging(&question.bridging)?;
     refuse(&[
         ("--exact", question.exact),
-        ("--windows", question.methods.windows.is_some()),
-        ("--operator", question.options.operator.is_some()),
         ("--repeat", arguments.repeat > 1),
         ("--up", arguments.axis.up != Up::default()),
     ])?;
-    let heat = question.options.given().or(question.linear.given()).or(question.multi.map(|_| "--multi"));
-    let method = question.methods.chosen_inside(heat)?;
+    let options = volume_options(&question.solving, question.heat_option(), question.multi.unwrap_or_default())?;
     ensure!(
-        !arguments.compare || method == VolumeMethod::Heat,
+        !arguments.compare || options.method == VolumeMethod::Heat,
         "--compare tells how far the heat method is from the march: give --method heat"
     );
-    Ok(VolumeOptions {
-        method,
-        max_distance: question.max_distance.unwrap_or(f64::INFINITY),
-        heat: question
-            .options
-            .parameters(question.linear.solver.unwrap_or_default(), question.multi.unwrap_or_default()),
-    })
+    Ok(VolumeOptions { max_distance: question.max_distance.unwrap_or(f64::INFINITY), ..options })
 }
 
 /// From all sources at once, and milliseconds of that.
@@ -82,14 +72,10 @@ fn together(
     let answer = solver.distance(sources, options)?;
     let solve_ms = milliseconds(start);
     let values = of_inputs(solver.mesh(), &answer);
-    for (name, value) in facts(&answer, &values) {
-        said.push(name, value);
-    }
+    said.extend(facts(&answer, &values));
     if arguments.compare {
         let marched = solver.distance(sources, &VolumeOptions::default())?;
-        let error = RelativeError::between(&answer.values, &marched.values);
-        said.push("mean_error_percent", 100.0 * error.mean);
-        said.push("max_error_percent", 100.0 * error.max);
+        said.push_error(RelativeError::between(&answer.values, &marched.values));
     }
     Ok((vec![("distance".to_owned(), values)], solve_ms))
 }
@@ -107,8 +93,7 @@ fn each(
         let answer = solver.distance(&[source], options).with_context(|| format!("source {number}"))?;
         solve_ms += milliseconds(start);
         let values = of_inputs(solver.mesh(), &answer);
-        let facts = facts(&answer, &values).into_iter();
-        answers.push(Value::Object(facts.map(|(name, value)| (name.to_owned(), value)).collect::<Map<_, _>>()));
+        answers.push(object(facts(&answer, &values)));
         columns.push((format!("distance_{number}"), values));
     }
     said.push("each", answers);

@@ -5,11 +5,11 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, bail, ensure};
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{UnitRule, VertexId, WeldRule};
+use heatwalk::{MultiSource, UnitRule, VertexId, WeldRule};
 use heatwalk_volume::io::{self, CellCounts, Error, Format, TetFile};
-use heatwalk_volume::{TetMesh, TetPoint, TetSoup, TetSource, edge_polyline, shapes};
+use heatwalk_volume::{TetMesh, TetPoint, TetSoup, TetSource, VolumeOptions, edge_polyline, shapes};
 
-use crate::args::{Bridging, Mesh};
+use crate::args::{Bridging, Mesh, Solving};
 use crate::file;
 use crate::input::SHAPE;
 use crate::place::{Line, Place, SourcePlace};
@@ -73,6 +73,18 @@ pub fn refuse(given: &[(&str, bool)]) -> Result<()> {
 /// Refuses to join the components of tetrahedra.
 pub fn refuse_bridging(bridging: &Bridging) -> Result<()> {
     refuse(&[("--bridge", bridging.rule != heatwalk::BridgeRule::default()), ("--link", bridging.links > 0)])
+}
+
+/// What is asked of the solver; `heat_option`: the first option of the heat method that is given.
+pub fn volume_options(
+    solving: &Solving,
+    heat_option: Option<&'static str>,
+    sources: MultiSource,
+) -> Result<VolumeOptions> {
+    refuse_bridging(&solving.bridging)?;
+    refuse(&[("--windows", solving.methods.windows.is_some()), ("--operator", solving.options.operator.is_some())])?;
+    let method = solving.methods.chosen_inside(heat_option)?;
+    Ok(VolumeOptions { method, heat: solving.heat(sources), ..VolumeOptions::default() })
 }
 
 /// The point of a mesh. Vertices and tetrahedra are counted as in the file.

@@ -160,29 +160,37 @@ fn walls_of_triangles_and_of_edges_are_walked_around() {
 #[test]
 fn bad_rows_are_named_by_their_lines() {
     let folder = folder("bad-ground");
-    for (rows, option, expected) in [
-        ("0,1\n1,0\n", "--weights", "line 2: the cost is 0"),
-        ("0,1\n1,-2\n", "--weights", "line 2: the cost is -2"),
-        ("0,NaN\n", "--weights", "line 1: the cost is NaN"),
-        ("0,1\n9999,1\n", "--weights", "line 2: there is no triangle 9999"),
-        ("0,1\n3\n", "--weights", "line 2: give a triangle and its cost"),
-        ("0,1\nx,y\n", "--weights", "line 2"),
+    let distance =
+        |option: &str, rows: &str| refused(&folder, &["distance", "flat.ply", "--source", "0", option, rows]);
+    let check = |option: &str, rows: &str, expected: &str| {
+        fs::write(folder.join("rows.csv"), rows).unwrap();
+        let told = distance(option, "rows.csv");
+        assert!(told.contains(expected), "{told}");
+    };
+    for (rows, expected) in [
+        ("0,1\n1,0\n", "line 2: the cost is 0"),
+        ("0,1\n1,-2\n", "line 2: the cost is -2"),
+        ("0,NaN\n", "line 1: the cost is NaN"),
+        ("0,1\n9999,1\n", "line 2: there is no triangle 9999"),
+        ("0,1\n3\n", "line 2: give a triangle and its cost"),
+        ("0,1\nx,y\n", "line 2"),
         (
             "0,1\n1,0\n2,-3\n3,5000\n",
-            "--weights",
             "line 2: the cost is 0; it must be from 0.001 to 1000; what nobody may enter belongs in --walls; 2 more rows are wrong, too",
         ),
-        ("0,1\rx,y\rz,z", "--weights", "line 2: \"x,y\" is no row of numbers; 1 more rows are wrong, too"),
-        ("face,cost\n3,2\n3,2\n3,4\n", "--weights", "line 4: triangle 3 costs 4 here and 2 in line 2"),
-        ("0\n128\n", "--walls", "line 2: there is no triangle 128"),
-        ("0,80\n", "--walls", "line 1: no edge joins the vertices 0 and 80"),
-        ("0,1,2\n", "--walls", "line 1: give a triangle"),
+        ("0,1\rx,y\rz,z", "line 2: \"x,y\" is no row of numbers; 1 more rows are wrong, too"),
+        ("face,cost\n3,2\n3,2\n3,4\n", "line 4: triangle 3 costs 4 here and 2 in line 2"),
     ] {
-        fs::write(folder.join("rows.csv"), rows).unwrap();
-        let told = refused(&folder, &["distance", "flat.ply", "--source", "0", option, "rows.csv"]);
-        assert!(told.contains(expected), "{told}");
+        check("--weights", rows, expected);
     }
-    let missing = refused(&folder, &["distance", "flat.ply", "--source", "0", "--weights", "none.csv"]);
+    for (rows, expected) in [
+        ("0\n128\n", "line 2: there is no triangle 128"),
+        ("0,80\n", "line 1: no edge joins the vertices 0 and 80"),
+        ("0,1,2\n", "line 1: give a triangle"),
+    ] {
+        check("--walls", rows, expected);
+    }
+    let missing = distance("--weights", "none.csv");
     assert!(missing.contains("none.csv"), "{missing}");
     assert!(!run(&folder, &["distance", "flat.ply", "--source", "0", "--slope-cost", "steep"]).status.success());
 }

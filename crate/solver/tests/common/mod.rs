@@ -65,6 +65,12 @@ pub fn grid_triangles(first: u32, n: u32) -> impl Iterator<Item = [u32; 3]> {
     })
 }
 
+/// A soup made so many times as long along x.
+pub fn stretched(mut soup: Soup, factor: f64) -> Soup {
+    soup.positions.iter_mut().for_each(|position| position.x *= factor);
+    soup
+}
+
 /// Triangles between random points: edges of many faces, faces through each other, points that hold only tips together.
 pub fn any_triangles(points: usize, random: &mut Random) -> Soup {
     let positions = (0..points).map(|_| 0.5 * random.point()).collect();

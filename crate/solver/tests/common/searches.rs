@@ -30,7 +30,7 @@ pub fn mixed_sources(surface: &Surface, random: &mut Random) -> [(Place, f64); 3
     [(vertex(random), 0.0), (inside, 0.0), (vertex(random), 0.7 * surface.mean_edge())]
 }
 
-pub fn shapes_of_all_kinds() -> Vec<Soup> {
+fn shapes_of_all_kinds() -> Vec<Soup> {
     let mut random = Random::new(17);
     let mut crumpled = square(14);
     for position in &mut crumpled.positions {
@@ -47,6 +47,26 @@ pub fn shapes_of_all_kinds() -> Vec<Soup> {
         any_triangles(80, &mut random),
         crumpled,
     ]
+}
+
+/// A question on a surface, and its exact answer.
+pub struct Case {
+    pub surface: Arc<Surface>,
+    pub geometry: Arc<ExactGeometry>,
+    pub sources: [(Place, f64); 3],
+    pub exact: Wavefront,
+}
+
+/// One on a surface of each kind.
+pub fn cases_of_all_kinds() -> impl Iterator<Item = Case> {
+    let mut random = Random::new(3);
+    shapes_of_all_kinds().into_iter().map(move |soup| {
+        let surface = Arc::new(super::surface(&soup));
+        let geometry = geometry(&surface);
+        let sources = mixed_sources(&surface, &mut random);
+        let exact = exact(&geometry, &sources);
+        Case { surface, geometry, sources, exact }
+    })
 }
 
 /// Grown to the end.

@@ -124,29 +124,14 @@ impl Renderer {
     }
 
     /// Replaces the field: `fill` writes one value a vertex, infinite where unreachable, and the direction in which it
-    /// grows, four numbers a vertex, 127 for a unit. `max` is the largest finite value, 0 where none is above. `count`
-    /// values come; none removes the field.
+    /// grows, four numbers a vertex, 127 for a unit; `is_by_corner`: one a corner of each triangle of a surface that is
+    /// [tinted](Self::set_tints) instead. `max` is the largest finite value, 0 where none is above. `count` values come; none
+    /// removes the field.
     ///
     /// # Errors
-    /// When the count is not the surface's number of vertices, or `max` is no finite number; the old field then stays.
-    pub fn set_field(&mut self, count: usize, max: f64, fill: impl FnOnce(&mut [f32], &mut [i8])) -> Result<(), Error> {
-        self.write_field(count, max, false, fill)
-    }
-
-    /// The same with one value a corner of each triangle of a surface that is [tinted](Self::set_tints).
-    ///
-    /// # Errors
-    /// As [`Self::set_field`]; when the surface is not tinted.
-    pub fn set_corner_field(
-        &mut self,
-        count: usize,
-        max: f64,
-        fill: impl FnOnce(&mut [f32], &mut [i8]),
-    ) -> Result<(), Error> {
-        self.write_field(count, max, true, fill)
-    }
-
-    fn write_field(
+    /// When the count is not the surface's number of vertices, or of corners, or `max` is no finite number, or values come by corner
+    /// and the surface is not tinted; the old field then stays.
+    pub fn set_field(
         &mut self,
         count: usize,
         max: f64,

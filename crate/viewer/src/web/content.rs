@@ -122,15 +122,8 @@ impl Viewer {
         max: f64,
         by_corner: bool,
     ) -> Result<(), JsError> {
-        let count = value_count(values, tangents)?;
-        let fill = |distances: &mut [f32], directions: &mut [i8]| {
-            values.copy_to(distances);
-            tangents.copy_to(directions);
-        };
-        if by_corner {
-            return Ok(self.renderer.set_corner_field(count, max, fill)?);
-        }
-        Ok(self.renderer.set_field(count, max, fill)?)
+        let (count, fill) = field_values(values, tangents)?;
+        Ok(self.renderer.set_field(count, max, by_corner, fill)?)
     }
 
     /// Another field of the same surface, on the right of the split, in colors up to the `max` of the first, which is to be set
@@ -144,11 +137,7 @@ impl Viewer {
         tangents: &Int8Array,
         by_corner: bool,
     ) -> Result<(), JsError> {
-        let count = value_count(values, tangents)?;
-        let fill = |distances: &mut [f32], directions: &mut [i8]| {
-            values.copy_to(distances);
-            tangents.copy_to(directions);
-        };
+        let (count, fill) = field_values(values, tangents)?;
         Ok(self.renderer.set_other_field(count, by_corner, fill)?)
     }
 
@@ -316,11 +305,18 @@ impl Viewer {
     }
 }
 
-/// How many values come, each with its direction.
-fn value_count(values: &Float32Array, tangents: &Int8Array) -> Result<usize, Error> {
+/// How many values come, each with its direction, and what writes them.
+fn field_values(
+    values: &Float32Array,
+    tangents: &Int8Array,
+) -> Result<(usize, impl FnOnce(&mut [f32], &mut [i8])), Error> {
     let (count, found) = (values.length() as usize, tangents.length() as usize);
     if found != 4 * count {
         return Err(Error::WrongLength { what: "tangents", expected: 4 * count, found });
     }
-    Ok(count)
+    let fill = move |distances: &mut [f32], directions: &mut [i8]| {
+        values.copy_to(distances);
+        tangents.copy_to(directions);
+    };
+    Ok((count, fill))
 }

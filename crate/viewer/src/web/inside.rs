@@ -5,7 +5,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::Viewer;
 use super::numbers::{
-    DrawnSection, DrawnShells, planes as planes_of, points, section as section_of, shells as shells_of,
+    DrawnSection, DrawnTriangles, inner_triangles, planes as planes_of, points, section as section_of,
 };
 
 #[wasm_bindgen]
@@ -35,8 +35,8 @@ impl Viewer {
     ///
     /// # Errors
     /// As `set_section`.
-    pub fn set_shells(&mut self, shells: Option<DrawnShells>, opacity: f32) -> Result<(), JsError> {
-        let shells = shells.map(|shells| shells_of(&shells)).transpose()?;
+    pub fn set_shells(&mut self, shells: Option<DrawnTriangles>, opacity: f32) -> Result<(), JsError> {
+        let shells = shells.map(|shells| inner_triangles(&shells)).transpose()?;
         Ok(self.renderer.set_shells(shells, opacity)?)
     }
 
@@ -48,10 +48,10 @@ impl Viewer {
     pub fn set_other_inside(
         &mut self,
         section: Option<DrawnSection>,
-        shells: Option<DrawnShells>,
+        shells: Option<DrawnTriangles>,
     ) -> Result<(), JsError> {
         let section = section.map(|section| section_of(&section)).transpose()?;
-        let shells = shells.map(|shells| shells_of(&shells)).transpose()?;
+        let shells = shells.map(|shells| inner_triangles(&shells)).transpose()?;
         Ok(self.renderer.set_other_inside(section, shells)?)
     }
 

@@ -32,7 +32,7 @@ export interface DrawnMesh {
 }
 
 /** Triangles inside of a solid: `#N × 3` positions and unit normals, `#T × 3` indices. */
-export interface DrawnShells {
+export interface DrawnTriangles {
   positions: Float32Array;
   normals: Float32Array;
   /** `#N`, in the unit of the field's values. */
@@ -40,8 +40,9 @@ export interface DrawnShells {
   triangles: Uint32Array;
 }
 
-/** Triangles that close a cut; its values are Infinity where unreachable, and may be empty: no field. */
-export interface DrawnSection extends DrawnShells {
+/** What closes a cut; its values are Infinity where unreachable, and may be empty: no field. */
+export interface DrawnSection {
+  mesh: DrawnTriangles;
   /** `#N × 4`, the direction in which the values grow, 127 for a unit; empty where the values are. */
   tangents: Int8Array;
 }
@@ -60,11 +61,11 @@ extern "C" {
     pub type DrawnMesh;
 
     /// Triangles inside of a solid.
-    #[wasm_bindgen(typescript_type = "DrawnShells")]
-    pub type DrawnShells;
+    #[wasm_bindgen(typescript_type = "DrawnTriangles")]
+    pub type DrawnTriangles;
 
     /// The same with directions.
-    #[wasm_bindgen(extends = DrawnShells, typescript_type = "DrawnSection")]
+    #[wasm_bindgen(typescript_type = "DrawnSection")]
     pub type DrawnSection;
 
     /// Another one.
@@ -86,7 +87,7 @@ properties! {
 }
 
 properties! {
-    DrawnShells {
+    DrawnTriangles {
         positions: Float32Array,
         normals: Float32Array,
         values: Float32Array,
@@ -96,6 +97,7 @@ properties! {
 
 properties! {
     DrawnSection {
+        mesh: DrawnTriangles,
         tangents: Int8Array,
     }
 }
@@ -173,7 +175,7 @@ pub(super) fn appearance(mesh: &DrawnMesh) -> Result<MeshAppearance, Error> {
     })
 }
 
-pub(super) fn shells(given: &DrawnShells) -> Result<InnerTriangles, Error> {
+pub(super) fn inner_triangles(given: &DrawnTriangles) -> Result<InnerTriangles, Error> {
     Ok(InnerTriangles {
         positions: groups("positions", given.positions().to_vec())?,
         normals: groups("normals", given.normals().to_vec())?,
@@ -183,7 +185,10 @@ pub(super) fn shells(given: &DrawnShells) -> Result<InnerTriangles, Error> {
 }
 
 pub(super) fn section(given: &DrawnSection) -> Result<SectionArrays, Error> {
-    Ok(SectionArrays { mesh: shells(given)?, tangents: groups("tangents", given.tangents().to_vec())? })
+    Ok(SectionArrays {
+        mesh: inner_triangles(&given.mesh())?,
+        tangents: groups("tangents", given.tangents().to_vec())?,
+    })
 }
 
 /// Planes of four numbers each.

@@ -22,7 +22,7 @@ fn show(renderer: &mut Renderer, times: f32) -> Result<(), Error> {
     let arrays = scenes::sphere().arrays();
     let (count, fill) = (arrays.positions.len(), fill(&arrays, times));
     scenes::show_mesh(renderer, arrays, BANDS)?;
-    renderer.set_field(count, f64::from(2.0 * PI), fill)
+    renderer.set_field(count, f64::from(2.0 * PI), false, fill)
 }
 
 fn show_beside(renderer: &mut Renderer, times: f32) -> Result<(), Error> {

@@ -40,7 +40,7 @@ fn show_ball(renderer: &mut Renderer, style: Style) -> Result<(), Error> {
 fn show_solid(renderer: &mut Renderer, arrays: MeshArrays, style: Style) -> Result<(), Error> {
     let positions = arrays.positions.clone();
     scenes::show_mesh(renderer, arrays, style)?;
-    renderer.set_field(positions.len(), 2.0, |values, directions| fill(&positions, values, directions))
+    renderer.set_field(positions.len(), 2.0, false, |values, directions| fill(&positions, values, directions))
 }
 
 fn fill(positions: &[Vec3], values: &mut [f32], directions: &mut [i8]) {
@@ -305,10 +305,10 @@ pub fn each_half_has_its_inside(device: &Context) -> Result<(), Failed> {
         joined(&mut renderer, middle)?;
     }
     // Colors follow the largest value of the field on the left.
-    renderer.set_field(positions.len(), 1.0, |values, directions| fill(&positions, values, directions))?;
+    renderer.set_field(positions.len(), 1.0, false, |values, directions| fill(&positions, values, directions))?;
     let (section, shells) = stretched(0.5);
     renderer.set_other_inside(Some(section), Some(shells))?;
-    renderer.set_field(positions.len(), 2.0, |values, directions| fill(&positions, values, directions))?;
+    renderer.set_field(positions.len(), 2.0, false, |values, directions| fill(&positions, values, directions))?;
     joined(&mut renderer, 0)?;
     let spoiled = SectionArrays { tangents: Vec::new(), ..stretched(0.5).0 };
     assert!(renderer.set_other_inside(Some(spoiled), None).is_err());
@@ -323,7 +323,7 @@ pub fn a_section_follows_the_field(device: &Context) -> Result<(), Failed> {
     let usual = picture(&mut renderer)?;
     let field = |renderer: &mut Renderer, max: f64| {
         let positions = scenes::sphere().arrays().positions;
-        renderer.set_field(positions.len(), max, |values, directions| fill(&positions, values, directions))
+        renderer.set_field(positions.len(), max, false, |values, directions| fill(&positions, values, directions))
     };
     field(&mut renderer, 7.0)?;
     assert!(picture(&mut renderer)?.difference(&usual).pixels > 1000, "other colours");

@@ -110,7 +110,7 @@ pub fn show_field(
     let positions = arrays.positions.clone();
     show_mesh(renderer, arrays, Style { period: unit * style.period, ..style })?;
     let max = unit * f64::from(reach.min(PI));
-    renderer.set_field(positions.len(), max, |values, directions| {
+    renderer.set_field(positions.len(), max, false, |values, directions| {
         for (index, &place) in positions.iter().enumerate() {
             let distance = angle(place);
             values[index] = if distance <= reach { (unit * f64::from(distance)) as f32 } else { f32::INFINITY };
@@ -175,7 +175,7 @@ fn ground(renderer: &mut Renderer) -> Result<(), Error> {
     };
     let tints: Vec<[u8; 4]> = triangles.iter().map(tint).collect();
     renderer.set_tints(&tints, || Ok(MeshAppearance::default()))?;
-    renderer.set_corner_field(3 * triangles.len(), 5.0, |values, directions| {
+    renderer.set_field(3 * triangles.len(), 5.0, true, |values, directions| {
         for (corner, &vertex) in triangles.as_flattened().iter().enumerate() {
             let place = positions[vertex as usize];
             let beyond = if tints[corner / 3] == [60, 20, 5, 140] { 1.5 } else { 0.0 };

@@ -96,18 +96,13 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
 /// # Errors
 /// As [`read`].
 pub fn read_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
-    let file = tetrahedra(budget, name, bytes, resources);
-    // A second file that the budget has no room for is as if it were missing.
-    budget.finish()?;
-    file
+    finished(budget, tetrahedra(budget, name, bytes, resources))
 }
 
 fn tetrahedra(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<TetFile> {
-    let bytes = decoded(name, bytes)?;
-    let format = Format::of(name, bytes).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
-    let (soup, cells) = match named(budget, format, name, bytes, resources)? {
-        Some(mesh) => mesh.tetrahedra()?,
-        None => vtk::read(budget, bytes)?,
+    let (soup, cells) = match contents(budget, name, bytes, resources)? {
+        Contents::Named(mesh) => mesh.tetrahedra()?,
+        Contents::Vtk(bytes) => vtk::read(budget, bytes)?,
     };
     if cells.volumes() == 0 {
         let remedy = if cells.faces > 0 { "read it as a surface" } else { "save the cells with their vertices" };
@@ -129,18 +124,14 @@ pub fn read_surface(name: &str, bytes: &[u8], resources: Resources) -> Result<So
 /// # Errors
 /// As [`read_surface`].
 pub fn read_surface_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
-    let soup = surface(budget, name, bytes, resources);
-    budget.finish()?;
-    soup
+    finished(budget, surface(budget, name, bytes, resources))
 }
 
 fn surface(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
-    let bytes = decoded(name, bytes)?;
-    let format = Format::of(name, bytes).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
-    let Some(mesh) = named(budget, format, name, bytes, resources)? else {
-        return Ok(heatwalk_model::io::read_within(budget, name, bytes, resources)?.soup);
+    let soup = match contents(budget, name, bytes, resources)? {
+        Contents::Named(mesh) => mesh.surface(stem_and_extension(name).0)?,
+        Contents::Vtk(bytes) => return Ok(heatwalk_model::io::read_within(budget, name, bytes, resources)?.soup),
     };
-    let soup = mesh.surface(stem_and_extension(name).0)?;
     if soup.triangles.is_empty() {
         let reason = format!("{name} holds neither tetrahedra nor faces; save the cells with their vertices");
         return Err(FileError::from(SurfaceError::Empty { reason }).into());
@@ -154,16 +145,24 @@ fn with_budget<T>(bytes: &[u8], resources: Resources, read: impl FnOnce(&Budget,
     read(&budget, &|uri| budget.admit(resources(uri)?).ok())
 }
 
-/// What a file holds; none of VTK, whose cells count vertices from 0 without gaps.
-fn named<'a>(
-    budget: &'a Budget,
-    format: Format,
-    name: &str,
-    bytes: &[u8],
-    resources: Resources,
-) -> Result<Option<NamedMesh<'a>>> {
+/// What was read, unless the budget had no room for all of it: a second file that it has no room for is as if it were missing.
+fn finished<T>(budget: &Budget, read: Result<T>) -> Result<T> {
+    budget.finish()?;
+    read
+}
+
+/// A file before it is known whether tetrahedra or a surface is wanted.
+enum Contents<'a> {
+    Named(NamedMesh<'a>),
+    /// Its text, not read yet: cells of VTK count vertices from 0 without gaps.
+    Vtk(&'a [u8]),
+}
+
+fn contents<'a>(budget: &'a Budget, name: &str, bytes: &'a [u8], resources: Resources) -> Result<Contents<'a>> {
+    let bytes = decoded(name, bytes)?;
+    let format = Format::of(name, bytes).ok_or_else(|| Error::UnknownFormat { name: name.to_owned() })?;
     let mesh = match format {
-        Format::Vtk => return Ok(None),
+        Format::Vtk => return Ok(Contents::Vtk(bytes)),
         Format::Medit => medit::read(budget, bytes)?,
         Format::Gmsh => gmsh::read(budget, bytes)?,
         Format::TetGen => {
@@ -176,7 +175,7 @@ fn named<'a>(
             tetgen::read(budget, nodes, elements)?
         }
     };
-    Ok(Some(mesh))
+    Ok(Contents::Named(mesh))
 }
 
 /// What a file holds as text, where that may be a mesh.
