@@ -122,8 +122,8 @@ impl Viewer {
         max: f64,
         by_corner: bool,
     ) -> Result<(), JsError> {
-        let (count, fill) = field_values(values, tangents)?;
-        Ok(self.renderer.set_field(count, max, by_corner, fill)?)
+        let count = value_count(values, tangents)?;
+        Ok(self.renderer.set_field(count, max, by_corner, writer(values, tangents))?)
     }
 
     /// Another field of the same surface, on the right of the split, in colors up to the `max` of the first, which is to be set
@@ -137,8 +137,8 @@ impl Viewer {
         tangents: &Int8Array,
         by_corner: bool,
     ) -> Result<(), JsError> {
-        let (count, fill) = field_values(values, tangents)?;
-        Ok(self.renderer.set_other_field(count, by_corner, fill)?)
+        let count = value_count(values, tangents)?;
+        Ok(self.renderer.set_other_field(count, by_corner, writer(values, tangents))?)
     }
 
     /// Where the right of two fields begins: so far right of the middle of what the insets leave free, a share of the view's width.
@@ -305,18 +305,19 @@ impl Viewer {
     }
 }
 
-/// How many values come, each with its direction, and what writes them.
-fn field_values(
-    values: &Float32Array,
-    tangents: &Int8Array,
-) -> Result<(usize, impl FnOnce(&mut [f32], &mut [i8])), Error> {
+/// How many values come, each with its direction.
+fn value_count(values: &Float32Array, tangents: &Int8Array) -> Result<usize, Error> {
     let (count, found) = (values.length() as usize, tangents.length() as usize);
     if found != 4 * count {
         return Err(Error::WrongLength { what: "tangents", expected: 4 * count, found });
     }
-    let fill = move |distances: &mut [f32], directions: &mut [i8]| {
+    Ok(count)
+}
+
+/// What writes values and their directions.
+fn writer(values: &Float32Array, tangents: &Int8Array) -> impl FnOnce(&mut [f32], &mut [i8]) {
+    move |distances, directions| {
         values.copy_to(distances);
         tangents.copy_to(directions);
-    };
-    Ok((count, fill))
+    }
 }
