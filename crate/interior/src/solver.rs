@@ -114,6 +114,11 @@ impl InnerSolver {
         Ok(draw_path(&path, &self.drawn.transform))
     }
 
+    /// What the path from a place to its nearest source costs, its length where all costs are 1.
+    pub fn path_cost(&self, #[wasm_bindgen(unchecked_param_type = "object")] from: &JsValue) -> Result<f64> {
+        Ok(self.solver.path(self.solved()?, self.drawn.point(from)?)?.cost)
+    }
+
     /// `#F × 3`, the drawn triangles beside each drawn one, across the edges from its corners to the next; itself where there is none.
     pub fn neighbors(&self) -> Vec<u32> {
         self.drawn.neighbors()

@@ -1,5 +1,5 @@
 import type { MeshPoint } from '../../protocol';
-import { exactDistanceAt } from '../../session/distances';
+import { distanceAlongPath, exactDistanceAt } from '../../session/distances';
 import type { Session } from '../../session/session';
 import { type ModelLength, ofModel, unitOf } from '../../length';
 import { h, say } from '../dom';
@@ -19,7 +19,7 @@ interface Reading {
   camera: string;
 }
 
-/** Distance and nearest input vertex under the pointer or the reticle; ≈ where distance is between those of vertices, or not exact. */
+/** Distance and nearest input vertex under the pointer or the reticle; ≈ where it is not exact. */
 export class Readout {
   readonly element = h('output', { class: 'readout', hidden: true });
   readonly #session: Session;
@@ -32,7 +32,7 @@ export class Readout {
   }
 
   show(point: MeshPoint, x: number, y: number): void {
-    const text = readoutText(this.#session, point, null);
+    const text = readoutText(this.#session, point, null, false);
     if (text === null) {
       this.hide();
       return;
@@ -56,7 +56,7 @@ export class Readout {
     return String(this.#session.view.camera);
   }
 
-  /** Asks for the exact distance of what is read, one question at a time, and shows it if that is read still. */
+  /** Asks for the distance of what is read, one question at a time, and shows it if that is read still. */
   async #makeExact(): Promise<void> {
     if (this.#isAsking) return;
     this.#isAsking = true;
@@ -65,9 +65,11 @@ export class Readout {
       while (this.#reading && this.#reading !== asked) {
         asked = this.#reading;
         const answer = this.#session.shown.value?.answer;
-        const distance = await exactDistanceAt(this.#session, asked.point);
+        const exact = await exactDistanceAt(this.#session, asked.point);
+        const distance = exact ?? (await distanceAlongPath(this.#session, asked.point));
         const isCurrent = asked === this.#reading && answer === this.#session.shown.value?.answer;
-        const text = isCurrent && distance !== null ? readoutText(this.#session, asked.point, distance) : null;
+        const isKnown = isCurrent && distance !== null;
+        const text = isKnown ? readoutText(this.#session, asked.point, distance, exact !== null) : null;
         if (text !== null) this.#draw(asked, text);
       }
     } catch {
@@ -89,18 +91,23 @@ export class Readout {
   }
 }
 
-/** `exact`: the distance; null where it is taken from those of vertices. */
-function readoutText({ scene, shown }: Session, point: MeshPoint, exact: ModelLength | null): Words | null {
+/** `known`: the distance, and whether it is exact; null where it is taken from those of vertices. */
+function readoutText(
+  { scene, shown }: Session,
+  point: MeshPoint,
+  known: ModelLength | null,
+  isExact: boolean,
+): Words | null {
   if (!shown.value) return null;
   const { opened, places, answer } = shown.value;
   const vertex = t`vertex ${places.nearestVertex(point)}`;
   if (!answer.field) return vertex;
-  const distance = exact ?? places.valueAt(point, answer.field);
+  const distance = known ?? places.valueAt(point, answer.field);
   if (!Number.isFinite(distance)) return t`unreachable · ${vertex}`;
   // Rounding of places is no length.
   const shownDistance = distance < LEAST * places.diameter ? ofModel(0) : distance;
   const length = measure(shownDistance, unitOf(scene.state, opened));
-  const about =
-    exact === null && (places.isBetween(point) || distance > answer.field.exactBelow) ? t`≈ ${length}` : length;
+  const isInexact = !isExact && (places.isBetween(point) || distance > answer.field.exactBelow);
+  const about = isInexact ? t`≈ ${length}` : length;
   return t`${about} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }

@@ -11,6 +11,7 @@ import type {
   IsolineWish,
   Leg,
   MeshPoint,
+  PathKind,
   SavedCurves,
   GirthFile,
   Plane,
@@ -53,6 +54,11 @@ export function operatorsAgree(): boolean {
  */
 export function exactDistances(places: readonly MeshPoint[]): Float64Array | null {
   return openMesh().surface?.exact_distances(places.map(known)) ?? null;
+}
+
+/** What the path from a place costs by the last field, its length where all costs are 1; null where no path leads on. */
+export function pathCost(from: MeshPoint, kind: PathKind): number | null {
+  return pathOf(() => openMesh().solver.path_cost(known(from), kind)) ?? null;
 }
 
 /**
