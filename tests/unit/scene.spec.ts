@@ -12,7 +12,7 @@ test('undo and redo restore sources and walker', () => {
   scene.edit({ sources: [{ vertex: 2 }] });
   scene.edit({ walker: { vertex: 9 } });
   expect(scene.undo()).toBe(true);
-  expect(scene.state).toMatchObject({ sources: [{ vertex: 2 }], walker: null });
+  expect(scene.state).toMatchObject({ sources: [{ vertex: 2 }], walker: undefined });
   expect(scene.undo()).toBe(true);
   expect(scene.state.sources).toEqual([{ vertex: 1 }]);
   expect(scene.undo()).toBe(false);

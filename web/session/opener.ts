@@ -63,7 +63,7 @@ const SAME_PLACE = 1e-4;
 const ANYWHERE = Infinity;
 
 /** What means nothing on a mesh whose vertices and triangles are counted otherwise. */
-const NO_PLACES = { sources: [], sets: [], walker: null, tapes: [], links: 0 } as const;
+const NO_PLACES = { sources: [], sets: [], walker: undefined, tapes: [], links: 0 } as const;
 
 export class Opener {
   readonly #session: Session;

@@ -74,7 +74,7 @@ export function questionOf(state: SceneState, method = state.method): Question {
     ground,
     inside,
     moment,
-    from: walker,
+    from: walker ?? null,
     pathKind,
     quick: false,
     refines: isRefined({ method, refine }),
@@ -106,7 +106,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   if (isWithout) {
     ({ sources, answer } = await firstSource(places, answerTo));
   } else answer = await answerTo(sources);
-  if (request.choosePlaces && !walker && answer.field) {
+  if (request.choosePlaces && walker === undefined && answer.field) {
     walker = places.farthest(answer.field);
     const { posed } = answer;
     answer = { ...(await ask(engine, { ...request.state, sources, sets, walker, ground })), posed };
@@ -119,7 +119,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
       mesh: 'hash' in reference ? { ...reference, hash: opened.hash } : reference,
       sources,
       sets,
-      walker,
+      walker: walker ?? null,
       tapes,
       ground,
       selected: -1,
@@ -142,7 +142,7 @@ async function placedOn(mesh: Mesh, { sources, sets, walker, tapes }: SceneState
     sources: sources.filter((source) => places.has(source)),
     // Where there are none, what finds their places is not fetched.
     sets: sets.length > 0 ? await (await import('./found')).found(mesh, sets) : [],
-    walker: walker && places.has(walker) ? walker : null,
+    walker: walker && !places.has(walker) ? undefined : walker,
     tapes: tapes.filter(({ points }) => points.every((point) => places.has(point))),
   };
 }

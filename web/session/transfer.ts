@@ -34,7 +34,7 @@ export function transfer({ opened }: Shown, state: SceneState, reach: number): T
         mesh,
         sets.filter((set) => set !== null),
       ),
-      walker: state.walker && take(state.walker),
+      walker: state.walker && (take(state.walker) ?? undefined),
       tapes: state.tapes
         .map((tape) => ({ ...tape, points: all(tape.points, take) }))
         .filter(({ points }, index) => points.length === state.tapes[index]?.points.length),

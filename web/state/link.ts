@@ -131,7 +131,7 @@ const LOOK = [
 const EDITS = [
   whole('s', 'sources', SOURCES),
   whole('sets', 'sets', { encode: encodeSets, parse: decodeSets }),
-  whole('w', 'walker', or('none', null, POINT)),
+  whole('w', 'walker', or('', undefined, or('none', null, POINT))),
   whole('up', 'up', automaticOr(choiceOf(UP))),
   whole('unit', 'unit', automaticOr(oneOf(UNITS))),
   whole('scale', 'scale', within(SCALES, precise)),
@@ -263,7 +263,7 @@ export function refusedBy(wanted: SceneState, opened: SceneState): string[] {
   const isLost: Partial<Record<keyof SceneState, boolean>> = {
     parts: opened.parts.length < wanted.parts.length,
     hidden: opened.hidden.length < wanted.hidden.length,
-    walker: wanted.walker !== null && opened.walker !== wanted.walker,
+    walker: Boolean(wanted.walker) && opened.walker !== wanted.walker,
     tapes: opened.tapes.length < wanted.tapes.length,
     shownUnit: opened.shownUnit !== wanted.shownUnit,
   };

@@ -102,8 +102,8 @@ export interface SceneState extends Settings, Units {
   sources: readonly Source[];
   /** Sources that are many places each. */
   sets: readonly SourceSet[];
-  /** Where the walker starts; null: no walker. */
-  walker: MeshPoint | null;
+  /** Where the walker starts; null: no walker. Undefined: the mesh that is to be opened says. */
+  walker: MeshPoint | null | undefined;
   /** How many links there are between groups that stay apart, each time of the two that are nearest. */
   links: number;
   /** The axis of the file that points up where it is drawn; automatic: by its format or its shape. */
@@ -144,7 +144,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     fill: null,
     sources: [],
     sets: [],
-    walker: null,
+    walker: undefined,
     links: 0,
     up: 'y',
     unit: AUTOMATIC,
