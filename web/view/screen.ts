@@ -4,6 +4,7 @@ import { isTrap } from '../solver/trap';
 import { Signal } from '../state/signal';
 import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
 import { type Build, hasWebGpu, WEBGL2, WEBGPU } from './builds';
+import { reducedMotion } from './motion';
 import { Traps } from './traps';
 import { t, type Words } from '../texts';
 
@@ -76,7 +77,7 @@ export abstract class Screen {
       this.#fit(viewer);
       if (!this.replay(viewer)) return await this.start();
       if (this.#camera) viewer.set_camera(this.#camera);
-      if (this.#frameFirst) viewer.frame();
+      if (this.#frameFirst) viewer.frame(!reducedMotion());
       this.#frameFirst = false;
       this.#viewer = viewer;
       this.trouble.value = null;
@@ -151,7 +152,7 @@ export abstract class Screen {
   /** A renderer that is still starting frames as soon as it can. */
   frame(): void {
     this.#frameFirst = this.#viewer === null;
-    this.use((viewer) => viewer.frame());
+    this.use((viewer) => viewer.frame(!reducedMotion()));
   }
 
   /** Yaw, pitch, distance, offset; null before the first picture. */

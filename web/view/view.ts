@@ -35,6 +35,7 @@ import {
   THIN,
   WITH_FRAME,
 } from './layers';
+import { reducedMotion } from './motion';
 import { isUnusable, Screen } from './screen';
 import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
 import { t } from '../texts';
@@ -336,7 +337,7 @@ export class View extends Screen {
   }
 
   focus(position: Vector): void {
-    if (!this.#isPreview) this.use((viewer) => viewer.focus(...position));
+    if (!this.#isPreview) this.use((viewer) => viewer.focus(...position, !reducedMotion()));
   }
 
   /** `x`, `y` in CSS pixels of the window. Nothing is hit while a preview is drawn. */

@@ -202,22 +202,26 @@ impl Camera {
         FRAME_MARGIN * radius / half_vertical.min(half_horizontal).sin()
     }
 
-    /// Starts a smooth move that fits the scene into what the insets leave free; the direction stays.
-    pub fn frame(&mut self) {
+    /// Fits the scene into what the insets leave free, by a smooth move if it `flies`, else at once; the direction stays.
+    pub fn frame(&mut self, flies: bool) {
         let distance = self.fitting_distance();
         let target = (self.scene.center - self.surface.center).as_dvec3() / f64::from(self.surface.radius);
-        self.fly_to(View { distance, target, ..self.view });
+        self.move_to(View { distance, target, ..self.view }, flies);
     }
 
-    /// Starts a smooth move of the target to a world point; direction and distance stay.
-    pub fn focus(&mut self, point: Vec3) {
+    /// Moves the target to a world point, smoothly if it `flies`, else at once; direction and distance stay.
+    pub fn focus(&mut self, point: Vec3, flies: bool) {
         let target = (point - self.surface.center).as_dvec3() / f64::from(self.surface.radius);
-        self.fly_to(View { target, ..self.view });
+        self.move_to(View { target, ..self.view }, flies);
     }
 
-    fn fly_to(&mut self, to: View) {
+    fn move_to(&mut self, to: View, flies: bool) {
         self.orbit = Orbit::default();
-        self.flight = Some(Flight::new(self.view, to.clamped()));
+        if flies {
+            self.flight = Some(Flight::new(self.view, to.clamped()));
+        } else {
+            self.set_view(to);
+        }
     }
 
     /// True while the camera moves by itself, or the pointer's speed is being taken.

@@ -30,7 +30,7 @@ pub(crate) struct Detail {
 
 impl Detail {
     /// Smooth at the size of a pin or a walker.
-    pub(crate) const FINE: Self = Self { sectors: 20, round_steps: 10 };
+    pub(crate) const FINE: Self = Self { sectors: 16, round_steps: 5 };
     /// Enough for one of thousands.
     pub(crate) const COARSE: Self = Self { sectors: 5, round_steps: 1 };
 }

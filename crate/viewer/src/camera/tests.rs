@@ -28,7 +28,7 @@ fn insets_move_the_centre_and_shrink_the_frame() {
     let ray = camera.ray(Vec2::new(500.0, 400.0));
     assert!((center - ray.origin).normalize().dot(ray.direction) > 0.999_999);
 
-    camera.frame();
+    camera.frame(true);
     camera.advance(FLIGHT_SECONDS);
     for (from_center, room) in [(Vec3::X, 500.0), (Vec3::Y, 400.0)] {
         let axes = camera.eye().world_from_view;
@@ -131,7 +131,7 @@ fn framing_fits_the_sphere_in_landscape_and_in_portrait() {
         camera.zoom(5.0);
         camera.pan(200.0, 100.0);
         let yaw = camera.view().yaw;
-        camera.frame();
+        camera.frame(true);
         settle(&mut camera);
         assert_eq!(camera.view().yaw, yaw);
         let eye = camera.eye();
@@ -145,12 +145,12 @@ fn framing_fits_the_sphere_in_landscape_and_in_portrait() {
 #[test]
 fn another_shape_of_the_window_shows_the_same_share_of_the_model() {
     let mut camera = camera();
-    camera.frame();
+    camera.frame(true);
     settle(&mut camera);
     camera.zoom(1.5);
     let share = camera.view().distance / camera.fitting_distance();
     let yaw = camera.view().yaw;
-    camera.focus(Vec3::new(6.0, -2.0, 1.0));
+    camera.focus(Vec3::new(6.0, -2.0, 1.0), true);
     let before = camera.fitting_distance();
     camera.set_size(450, 900, 2.0);
     assert!(camera.fitting_distance() > 1.3 * before, "a portrait is narrower");
@@ -166,12 +166,19 @@ fn another_shape_of_the_window_shows_the_same_share_of_the_model() {
 fn focus_moves_the_target_and_keeps_the_distance() {
     let mut camera = camera();
     let (distance, point) = (camera.view().distance, Vec3::new(7.0, -2.0, 1.0));
-    camera.focus(point);
+    camera.focus(point, true);
     assert!(camera.is_moving());
     settle(&mut camera);
     let pixel = camera.project(point).expect("in front");
     assert!((pixel.truncate() - Vec2::new(800.0, 450.0)).length() < PIXEL_TOLERANCE);
     assert!((camera.view().distance - distance).abs() < 1e-12);
+    let reached = camera.view();
+    camera.frame(true);
+    settle(&mut camera);
+    camera.focus(point, true);
+    camera.focus(point, false);
+    assert!(!camera.is_moving(), "at once, where nothing is to fly");
+    assert!(camera.view().target.distance(reached.target) < 1e-12);
 }
 
 #[test]
@@ -203,7 +210,7 @@ fn the_turntable_turns_evenly_and_a_frame_does_not_stop_it() {
     let mut camera = camera();
     let yaw = camera.view().yaw;
     camera.set_spin(0.5);
-    camera.frame();
+    camera.frame(true);
     for _ in 0..100 {
         camera.advance(0.01);
     }

@@ -62,14 +62,14 @@ impl Viewer {
         self.renderer.move_camera(|camera| camera.zoom(factor));
     }
 
-    /// Fits surface and scenery into the window, smoothly.
-    pub fn frame(&mut self) {
-        self.renderer.move_camera(Camera::frame);
+    /// Fits surface and scenery into the window, smoothly if the camera `flies`, else at once.
+    pub fn frame(&mut self, flies: bool) {
+        self.renderer.move_camera(|camera| camera.frame(flies));
     }
 
-    /// Moves the target to a world point, smoothly.
-    pub fn focus(&mut self, x: f32, y: f32, z: f32) {
-        self.renderer.move_camera(|camera| camera.focus(Vec3::new(x, y, z)));
+    /// Moves the target to a world point, smoothly if the camera `flies`, else at once.
+    pub fn focus(&mut self, x: f32, y: f32, z: f32, flies: bool) {
+        self.renderer.move_camera(|camera| camera.focus(Vec3::new(x, y, z), flies));
     }
 
     /// Yaw and pitch in radians, distance and target offset in bounding radii.
