@@ -62,7 +62,8 @@ export default defineConfig({
       name: 'webgl',
       testDir: 'tests/browser',
       testIgnore: [PICTURES, WHOLE],
-      use: browser(SHELL, [...FAST, OPAQUE]),
+      // Few pixels: what looks at them asks for more.
+      use: { ...browser(SHELL, [...FAST, OPAQUE]), deviceScaleFactor: 0.1 },
       ...chosen,
     },
     { name: 'chromium', testDir: 'tests/browser', testMatch: WHOLE, use: browser(CHROMIUM, FAST), ...chosen },

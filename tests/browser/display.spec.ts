@@ -5,6 +5,9 @@ import { PNG } from 'pngjs';
 import { obj, sphere } from '../fixtures';
 import { expect, type HeatwalkPage, openSection, test } from '../page';
 
+// Of 110 × 72 pixels too little is seen.
+test.use({ deviceScaleFactor: 0.25 });
+
 /** Shares of the pixels of the model that are yellow, and blue or violet: the ends of viridis. */
 async function endsOfRamp(heatwalk: HeatwalkPage): Promise<[yellow: number, blue: number]> {
   const { data } = await heatwalk.drawing(0.5, true);

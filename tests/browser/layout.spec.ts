@@ -1,6 +1,9 @@
 import type { Page } from '@playwright/test';
 import { expect, openSection, test } from '../page';
 
+// Of 110 × 72 pixels too little is seen.
+test.use({ deviceScaleFactor: 0.25 });
+
 const fingers = (spread: number) => [
   { x: 200 - spread, y: 420, id: 0 },
   { x: 200 + spread, y: 420, id: 1 },

@@ -269,7 +269,7 @@ test('views are chosen by a menu, by mouse and keyboard, and by keys', async ({ 
     expect(x > 0 && x < (box?.width ?? 0) && y > 0 && y < (box?.height ?? 0)).toBe(true);
   }
   // Parallel lines of sight: what is picked there is what is drawn there, at other pixels than in perspective.
-  const perspective = await heatwalk.picture();
+  const perspective = await heatwalk.lastPicture();
   await page.keyboard.press('v');
   await expect.poll(() => page.url()).toContain('&ortho=1');
   const parallel = await heatwalk.picture();
@@ -283,7 +283,7 @@ test('views are chosen by a menu, by mouse and keyboard, and by keys', async ({ 
   await expect(menu.getByRole('menuitemcheckbox', { name: 'Orthographic' })).toHaveAttribute('aria-checked', 'true');
   await menu.getByRole('menuitemcheckbox').click();
   await expect.poll(() => page.url()).not.toContain('ortho');
-  expect(difference(perspective, await heatwalk.picture())).toBeLessThan(0.002);
+  await expect.poll(async () => difference(perspective, await heatwalk.picture())).toBeLessThan(0.002);
   await heatwalk.open('#v=1&m=bunny&cam=0,0,4,0,0,0&ortho=1');
   expect(await page.evaluate(() => window.heatwalk.scene.orthographic)).toBe(true);
 

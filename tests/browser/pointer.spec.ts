@@ -1,5 +1,8 @@
 import { expect, type HeatwalkPage, openSection, test } from '../page';
 
+// Of 110 × 72 pixels too little is seen.
+test.use({ deviceScaleFactor: 0.25 });
+
 async function clickModel(heatwalk: HeatwalkPage, dx = 0, dy = 0, modifier?: string): Promise<void> {
   const pixel = await heatwalk.pixelOnModel(dx, dy);
   if (modifier) await heatwalk.page.keyboard.down(modifier);
