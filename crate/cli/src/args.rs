@@ -188,10 +188,10 @@ pub struct Isolines {
     /// Write the strips unrolled into the plane, where they are not curved
     #[arg(long, requires = "output", conflicts_with = "strips")]
     pub unroll: bool,
-    /// The direction from which an .svg shows the curves, after --up has turned the mesh
+    /// The direction from which an .svg or .pdf shows the curves, after --up has turned the mesh
     #[arg(long, value_name = "X,Y,Z", value_parser = direction, default_value = "1,1,1", allow_hyphen_values = true)]
     pub view: DVec3,
-    /// Write the curves to an .obj, .dxf, .svg, .csv or .glb file; strips to an .obj file, unrolled ones to an .svg or .dxf file
+    /// Write the curves to an .obj, .dxf, .svg, .pdf, .csv or .glb file; strips to an .obj file, unrolled ones to an .svg, .dxf or .pdf file
     #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
     #[command(flatten)]

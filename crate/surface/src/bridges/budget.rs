@@ -4,7 +4,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Steps that a search may take: so many, and so many a triangle. Boxes that are stacked face to face by the thousand, of 12
-/// triangles each, take 2,100 a triangle, models of finer triangles 10 to 400.
+/// triangles each, take 2,100 a triangle, assemblies of finer parts 10 to 1,100.
 const STEPS: usize = 1 << 23;
 const STEPS_OF_TRIANGLE: usize = 2048;
 
