@@ -29,6 +29,7 @@ mod base64;
 mod budget;
 mod color;
 mod empty;
+mod format;
 #[cfg(feature = "gltf")]
 mod gltf;
 #[cfg(feature = "obj")]
@@ -54,6 +55,7 @@ pub mod write;
 #[cfg(any(feature = "3mf", feature = "vtk"))]
 mod xml;
 
+use format::Format;
 use glam::DVec3;
 
 use crate::error::{Error, Result};
@@ -64,6 +66,24 @@ pub use archive::{Archive, MAGIC as ARCHIVE_MAGIC};
 pub use budget::{Budget, Loan};
 pub use empty::expect_mesh;
 pub use reader::Resources;
+
+/// All formats, in the order in which bytes are asked whose they are.
+const FORMATS: &[Format] = &[
+    #[cfg(feature = "gltf")]
+    gltf::FORMAT,
+    #[cfg(feature = "ply")]
+    ply::FORMAT,
+    #[cfg(feature = "off")]
+    off::FORMAT,
+    #[cfg(feature = "3mf")]
+    threemf::FORMAT,
+    #[cfg(feature = "vtk")]
+    vtk::FORMAT,
+    #[cfg(feature = "stl")]
+    stl::FORMAT,
+    #[cfg(feature = "obj")]
+    obj::FORMAT,
+];
 
 /// Reads a mesh. The first bytes tell the format where they can, the extension of `name` otherwise.
 ///
@@ -91,24 +111,8 @@ fn read_format(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) 
     let (stem, extension) = stem_and_extension(name);
     let bytes = text::decoded(bytes)?;
     expect_mesh(name, bytes)?;
-    let format = Format::of(bytes, extension).ok_or_else(|| unknown(name, extension))?;
-    let model: Result<Model> = match format {
-        #[cfg(feature = "gltf")]
-        Format::Gltf => gltf::read(budget, bytes, resources),
-        #[cfg(feature = "obj")]
-        Format::Obj => obj::read(budget, stem, bytes, resources),
-        #[cfg(feature = "off")]
-        Format::Off => off::read(budget, stem, bytes).map(Model::from),
-        #[cfg(feature = "ply")]
-        Format::Ply => ply::read(budget, stem, bytes),
-        #[cfg(feature = "stl")]
-        Format::Stl => stl::read(budget, stem, bytes).map(Model::from),
-        #[cfg(feature = "3mf")]
-        Format::ThreeMf => threemf::read(budget, stem, bytes),
-        #[cfg(feature = "vtk")]
-        Format::Vtk => vtk::read(budget, stem, bytes).map(Model::from),
-    };
-    let model = model?;
+    let format = format_of(bytes, extension).ok_or_else(|| unknown(name, extension))?;
+    let model = (format.read)(budget, stem, bytes, resources)?;
     if model.soup.triangles.is_empty() {
         return Err(empty::reason(name, &model.soup));
     }
@@ -132,19 +136,13 @@ fn unknown(name: &str, extension: &str) -> Error {
 /// Whether the extension of a name is that of a format read here.
 pub fn names_mesh(name: &str) -> bool {
     let (_, extension) = stem_and_extension(name);
-    Format::of_extension(extension).is_some()
+    by_extension(extension).is_some()
 }
 
 /// What points up by the rules of the format of a file: Y in glTF, Z in 3MF. Other formats say nothing.
 pub fn upward(name: &str, bytes: &[u8]) -> Option<DVec3> {
     let (_, extension) = stem_and_extension(name);
-    match Format::of(text::without_mark(bytes), extension)? {
-        #[cfg(feature = "gltf")]
-        Format::Gltf => Some(DVec3::Y),
-        #[cfg(feature = "3mf")]
-        Format::ThreeMf => Some(DVec3::Z),
-        _ => None,
-    }
+    format_of(text::without_mark(bytes), extension)?.upward
 }
 
 fn stem_and_extension(name: &str) -> (&str, &str) {
@@ -152,81 +150,12 @@ fn stem_and_extension(name: &str) -> (&str, &str) {
     file_name.rsplit_once('.').unwrap_or((file_name, ""))
 }
 
-#[derive(Clone, Copy)]
-enum Format {
-    #[cfg(feature = "gltf")]
-    Gltf,
-    #[cfg(feature = "obj")]
-    Obj,
-    #[cfg(feature = "off")]
-    Off,
-    #[cfg(feature = "ply")]
-    Ply,
-    #[cfg(feature = "stl")]
-    Stl,
-    #[cfg(feature = "3mf")]
-    ThreeMf,
-    #[cfg(feature = "vtk")]
-    Vtk,
+/// By the first bytes where they tell, else by the extension.
+fn format_of(bytes: &[u8], extension: &str) -> Option<&'static Format> {
+    FORMATS.iter().find(|format| (format.is)(bytes)).or_else(|| by_extension(extension))
 }
 
-impl Format {
-    /// By the first bytes where they tell, else by the extension.
-    fn of(bytes: &[u8], extension: &str) -> Option<Self> {
-        Self::of_bytes(bytes).or_else(|| Self::of_extension(extension))
-    }
-
-    fn of_bytes(bytes: &[u8]) -> Option<Self> {
-        #[cfg(feature = "gltf")]
-        if bytes.starts_with(gltf::GLB_MAGIC) || looks_like_gltf_json(bytes) {
-            return Some(Self::Gltf);
-        }
-        #[cfg(feature = "ply")]
-        if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
-            return Some(Self::Ply);
-        }
-        #[cfg(feature = "off")]
-        if off::has_keyword(bytes) {
-            return Some(Self::Off);
-        }
-        #[cfg(feature = "3mf")]
-        if bytes.starts_with(archive::MAGIC) {
-            return Some(Self::ThreeMf);
-        }
-        #[cfg(feature = "vtk")]
-        if vtk::has_header(bytes) {
-            return Some(Self::Vtk);
-        }
-        #[cfg(feature = "stl")]
-        if stl::is_binary(bytes) || stl::is_ascii(bytes) {
-            return Some(Self::Stl);
-        }
-        None
-    }
-
-    fn of_extension(extension: &str) -> Option<Self> {
-        match extension.to_ascii_lowercase().as_str() {
-            #[cfg(feature = "gltf")]
-            "gltf" | "glb" => Some(Self::Gltf),
-            #[cfg(feature = "obj")]
-            "obj" => Some(Self::Obj),
-            #[cfg(feature = "off")]
-            "off" | "coff" | "noff" => Some(Self::Off),
-            #[cfg(feature = "ply")]
-            "ply" => Some(Self::Ply),
-            #[cfg(feature = "stl")]
-            "stl" => Some(Self::Stl),
-            #[cfg(feature = "3mf")]
-            "3mf" => Some(Self::ThreeMf),
-            #[cfg(feature = "vtk")]
-            "vtk" | "vtp" | "vtu" => Some(Self::Vtk),
-            _ => None,
-        }
-    }
-}
-
-#[cfg(feature = "gltf")]
-fn looks_like_gltf_json(bytes: &[u8]) -> bool {
-    let text = bytes.trim_ascii_start();
-    text.starts_with(b"{") && text.windows(7).any(|window| window == b"\"asset\"")
+fn by_extension(extension: &str) -> Option<&'static Format> {
+    let extension = extension.to_ascii_lowercase();
+    FORMATS.iter().find(|format| format.extensions.contains(&extension.as_str()))
 }

@@ -4,15 +4,24 @@ use glam::DVec3;
 use heatwalk_surface::{Soup, WarningCode, Warnings};
 
 use super::budget::Budget;
+use super::format::Format;
 use super::reader::Reporter;
 use super::text::{self, Words};
 use super::triangulate::Polygons;
 use crate::error::{Error, Result};
+use crate::model::Model;
 
 const OFF: Reporter = Reporter("OFF");
 
+pub const FORMAT: Format = Format {
+    extensions: &["off", "coff", "noff"],
+    is: has_keyword,
+    read: |budget, name, bytes, _| read(budget, name, bytes).map(Model::from),
+    upward: None,
+};
+
 /// Whether the first word is an OFF header.
-pub fn has_keyword(bytes: &[u8]) -> bool {
+fn has_keyword(bytes: &[u8]) -> bool {
     let line = bytes.split(|byte| byte.is_ascii_whitespace()).next().unwrap_or_default();
     // Some exporters write the first count against the keyword: "OFF2904 5804 0".
     let end = line.iter().rposition(|byte| !byte.is_ascii_digit()).map_or(0, |last| last + 1);
@@ -49,7 +58,7 @@ impl Header {
     }
 }
 
-pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
+fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
     let text = String::from_utf8_lossy(bytes);
     let mut words = Words::new(text::lines(&text).map(|(number, line)| (number, text::statement(line))));
     let first = words.peek().unwrap_or_default();

@@ -7,6 +7,7 @@ use heatwalk_surface::{Attribute, Soup, Unit, UnitRule, WarningCode, Warnings};
 
 use super::budget::Budget;
 use super::color::light;
+use super::format::Format;
 use super::reader::Reporter;
 use super::scalar::{Scalar, whole};
 use super::text;
@@ -67,7 +68,14 @@ impl Body<'_> {
     }
 }
 
-pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
+pub const FORMAT: Format = Format {
+    extensions: &["ply"],
+    is: |bytes| bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r"),
+    read: |budget, name, bytes, _| read(budget, name, bytes),
+    upward: None,
+};
+
+fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
     let Header { elements, encoding, unit, body } = header(bytes)?;
     let text;
     let mut body = match encoding {

@@ -4,9 +4,11 @@ use glam::DVec3;
 use heatwalk_surface::{Soup, WarningCode, Warnings};
 
 use super::budget::Budget;
+use super::format::Format;
 use super::reader::Reporter;
 use super::text::{self, Words};
 use crate::error::Result;
+use crate::model::Model;
 
 const STL: Reporter = Reporter("STL");
 /// 80 bytes of free text and the number of triangles.
@@ -19,19 +21,26 @@ fn binary_count(bytes: &[u8]) -> Option<usize> {
     Some(u32::from_le_bytes([count[0], count[1], count[2], count[3]]) as usize)
 }
 
+pub const FORMAT: Format = Format {
+    extensions: &["stl"],
+    is: |bytes| is_binary(bytes) || is_ascii(bytes),
+    read: |budget, name, bytes, _| read(budget, name, bytes).map(Model::from),
+    upward: None,
+};
+
 /// Whether the length is exactly what the count in a binary header asks for. Such a file may well begin with "solid".
-pub fn is_binary(bytes: &[u8]) -> bool {
+fn is_binary(bytes: &[u8]) -> bool {
     binary_count(bytes).is_some_and(|count| count > 0 && count.checked_mul(RECORD) == Some(bytes.len() - HEADER))
 }
 
 /// Whether the file begins as ASCII STL does, with a name of any length.
-pub fn is_ascii(bytes: &[u8]) -> bool {
+fn is_ascii(bytes: &[u8]) -> bool {
     let text = bytes.trim_ascii_start();
     let has = |word: &[u8]| text.windows(word.len()).any(|window| window.eq_ignore_ascii_case(word));
     text.get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid")) && (has(b"facet") || has(b"endsolid"))
 }
 
-pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
+fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
     if is_binary(bytes) {
         read_binary(budget, name, bytes)
     } else if is_ascii(bytes) {

@@ -27,6 +27,7 @@ use gltf::json::{Mesh, Node, Root};
 use heatwalk_surface::{Soup, Unit, WarningCode, Warnings};
 
 use super::budget::Budget;
+use super::format::Format;
 use super::reader::Resources;
 use crate::appearance::Run;
 use crate::error::{Error, Result};
@@ -38,11 +39,22 @@ use attributes::Named;
 use container::Buffers;
 use deform::Vertices;
 use draco::Compressed;
-pub use format::GLB_MAGIC;
-use format::element;
+use format::{GLB_MAGIC, element};
 use scene::Scene;
 
-pub fn read(budget: &Budget, bytes: &[u8], resources: Resources) -> Result<Model> {
+pub const FORMAT: Format = Format {
+    extensions: &["gltf", "glb"],
+    is: |bytes| bytes.starts_with(GLB_MAGIC) || looks_like_json(bytes),
+    read: |budget, _, bytes, resources| read(budget, bytes, resources),
+    upward: Some(DVec3::Y),
+};
+
+fn looks_like_json(bytes: &[u8]) -> bool {
+    let text = bytes.trim_ascii_start();
+    text.starts_with(b"{") && text.windows(7).any(|window| window == b"\"asset\"")
+}
+
+fn read(budget: &Budget, bytes: &[u8], resources: Resources) -> Result<Model> {
     let container = container::open(bytes)?;
     let root = document::parse(container.json)?;
     let buffers = Buffers::new(budget, &root, container.binary, resources);

@@ -15,6 +15,7 @@ use heatwalk_surface::{Part, Soup, WarningCode, Warnings};
 
 use super::budget::Budget;
 use super::color::light;
+use super::format::Format;
 use super::reader::{Reporter, Resources, numbers};
 use super::seams::seams;
 use super::text;
@@ -106,7 +107,9 @@ struct File<'a> {
     warnings: Warnings,
 }
 
-pub fn read(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Model> {
+pub const FORMAT: Format = Format { extensions: &["obj"], is: |_| false, read, upward: None };
+
+fn read(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Model> {
     let text = String::from_utf8_lossy(bytes);
     let mut file = File::new(budget);
     let mut groups = Groups::new(name);

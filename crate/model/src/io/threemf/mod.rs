@@ -8,11 +8,13 @@ mod package;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use glam::DMat4;
+use glam::{DMat4, DVec3};
 use heatwalk_surface::Soup;
 
+use super::archive;
 use super::budget::Budget;
 use super::color::light;
+use super::format::Format;
 use super::seams::seams;
 use crate::appearance::Appearance;
 use crate::error::{Error, Result};
@@ -26,7 +28,14 @@ const MOST_REFERENCES: usize = 1 << 20;
 /// Components in components: more are a circle.
 const MOST_LEVELS: usize = 64;
 
-pub fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
+pub const FORMAT: Format = Format {
+    extensions: &["3mf"],
+    is: |bytes| bytes.starts_with(archive::MAGIC),
+    read: |budget, name, bytes, _| read(budget, name, bytes),
+    upward: Some(DVec3::Z),
+};
+
+fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
     let package = Package::open(budget, bytes)?;
     let root = package.root()?;
     let mut models = HashMap::new();

@@ -14,6 +14,8 @@ use self::piece::{Piece, VTK};
 use super::scalar::whole;
 use crate::error::Result;
 use crate::io::budget::Budget;
+use crate::io::format::Format;
+use crate::model::Model;
 
 /// The cells of a file that fill space, of all its pieces.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -31,6 +33,13 @@ pub struct VolumeCells {
     /// What else was left out.
     pub warnings: Vec<Warning>,
 }
+
+pub(super) const FORMAT: Format = Format {
+    extensions: &["vtk", "vtp", "vtu"],
+    is: has_header,
+    read: |budget, name, bytes, _| read(budget, name, bytes).map(Model::from),
+    upward: None,
+};
 
 /// Whether the file begins as one of either kind does.
 pub fn has_header(bytes: &[u8]) -> bool {
