@@ -9,8 +9,10 @@ use crate::common::media::{jittered_square, least_cost, two_media};
 use crate::common::truth::Random;
 use crate::common::{nearest, surface};
 use glam::DVec3;
-use heatwalk::{Costs, DistanceOptions, DistanceSolver, FaceId, VertexId, descend, go_on, refract, straighten};
-use heatwalk_shapes::torus;
+use heatwalk::{
+    Costs, DistanceOptions, DistanceSolver, FaceId, PathKind, VertexId, descend, go_on, refract, straighten,
+};
+use heatwalk_shapes::{icosphere, torus};
 
 #[test]
 fn paths_over_two_media_cost_what_snell_says() {
@@ -84,4 +86,19 @@ fn random_costs_break_no_path() {
         assert!(after <= before && after > 0.5 * distance.values[from], "{before} {after} {}", distance.values[from]);
     }
     assert!(costs.of(FaceId(0)) > 0.0);
+}
+
+#[test]
+fn paths_cost_what_the_distance_says() {
+    let ball = Arc::new(surface(&icosphere(4)));
+    let mut random = Random::new(3);
+    let of_face = (0..ball.face_count()).map(|_| random.between(1.0, 10.0));
+    let costs = Costs::new(&ball, of_face.collect()).expect("in range");
+    let mut solver = DistanceSolver::new(Arc::clone(&ball)).weighted(costs.clone());
+    let answer = solver.distance(&[VertexId(3)], &DistanceOptions::default(), &mut go_on).expect("a source");
+    for from in (10..2560).step_by(25).map(VertexId) {
+        let path = solver.path(&answer, from, PathKind::Straightened).expect("connected");
+        let [cost, distance] = [costs.of_path(&ball, &path), answer.distance.values[from]];
+        assert!(cost < 1.02 * distance, "{cost} for {distance} from {from:?}");
+    }
 }

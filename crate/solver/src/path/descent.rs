@@ -22,6 +22,23 @@ use crate::error::{Error, Result};
 /// [`Error::Unreachable`] where the distance is infinite; [`Error::Surface`] as
 /// [`Surface::point`]; [`Error::Surface`] with `ForeignSurface` for a distance of another surface.
 pub fn descend(surface: &Surface, distance: &Distance, from: impl ToPoint) -> Result<Path> {
+    descend_by(surface, distance, from, |descent| descent.steepest().or_else(|| descent.lowest_corner()))
+}
+
+/// The same from corner to corner, to that by way of which the distance is least.
+///
+/// # Errors
+/// As [`descend`].
+pub(crate) fn descend_corners(surface: &Surface, distance: &Distance, from: impl ToPoint) -> Result<Path> {
+    descend_by(surface, distance, from, |descent| descent.cheapest_corner())
+}
+
+fn descend_by(
+    surface: &Surface,
+    distance: &Distance,
+    from: impl ToPoint,
+    step: impl Fn(&Descent<'_>) -> Option<(Place, FaceId)>,
+) -> Result<Path> {
     surface.require_own(distance.surface(), "distance")?;
     let start = surface.point(from)?.place().snapped(surface);
     if start.interpolate(surface, &distance.values).is_infinite() {
@@ -32,7 +49,7 @@ pub fn descend(surface: &Surface, distance: &Distance, from: impl ToPoint) -> Re
     // among rounding errors, and edges take it the rest of the way.
     let mut crossings_left = 4 * surface.face_count();
     while !descent.has_arrived() {
-        let next = if crossings_left > 0 { descent.steepest().or_else(|| descent.lowest_corner()) } else { None };
+        let next = if crossings_left > 0 { step(&descent) } else { None };
         match next {
             Some((location, face)) => descent.go(location, face),
             None => descent.escape(crossings_left > 0),
@@ -197,6 +214,20 @@ impl<'a> Descent<'a> {
         let corners = faces.iter().flat_map(|&face| self.surface.faces()[face].map(|vertex| (vertex, face)));
         let (vertex, face) = corners.min_by(|a, b| self.values[a.0].total_cmp(&self.values[b.0]))?;
         (self.values[vertex] < self.value()).then_some((Place::Vertex(vertex), face))
+    }
+
+    /// The vertex of the faces around by way of which the distance is least, of those that are lower than here.
+    fn cheapest_corner(&self) -> Option<(Place, FaceId)> {
+        let (here, value) = (self.location.position(self.surface), self.value());
+        let faces = self.location.faces(self.surface);
+        let corners = faces.iter().flat_map(|&face| self.surface.faces()[face].map(|vertex| (vertex, face)));
+        let by_way = |&(vertex, face): &(VertexId, FaceId)| {
+            self.values[vertex] + self.cost(face) * triangle::length(self.surface.position(vertex) - here)
+        };
+        let (vertex, face) = corners
+            .filter(|&(vertex, _)| self.values[vertex] < value)
+            .min_by(|one, other| by_way(one).total_cmp(&by_way(other)))?;
+        Some((Place::Vertex(vertex), face))
     }
 
     /// Follows edges to the nearest vertex that is lower than here, or that sees a goal: any component with a finite

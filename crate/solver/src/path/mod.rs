@@ -11,6 +11,7 @@ pub mod straightest;
 mod strip;
 
 pub use descent::descend;
+pub(crate) use descent::descend_corners;
 pub use enclosed::{Enclosed, enclosed};
 pub use refract::refract;
 pub use search::{PathSearch, shortest};

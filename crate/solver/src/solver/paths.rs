@@ -9,7 +9,7 @@ use super::{Answer, DistanceOptions, DistanceSolver};
 use crate::error::Result;
 use crate::exact::{self, PlaceDistances};
 use crate::options::{Method, PathKind};
-use crate::path::{PathSearch, descend, refract, shortest, straighten};
+use crate::path::{PathSearch, descend, descend_corners, refract, shortest, straighten};
 use crate::propagation::{REFRACTED, Windows};
 
 impl DistanceSolver {
@@ -23,7 +23,18 @@ impl DistanceSolver {
         let descent = || descend(surface, &answer.distance, from);
         match (kind, self.several_costs()) {
             (PathKind::Descent, _) => descent(),
-            (PathKind::Straightened | PathKind::Exact, Some(costs)) => refract(surface, costs, &descent()?),
+            (PathKind::Straightened | PathKind::Exact, Some(costs)) => {
+                // Paths of locally least cost differ by the sides on which they go around what is dear. Where the distance tells
+                // of a cheaper one, another is tried.
+                let path = refract(surface, costs, &descent()?)?;
+                let cost = costs.of_path(surface, &path);
+                let distance = surface.point(from)?.place().interpolate(surface, &answer.distance.values);
+                if cost <= distance {
+                    return Ok(path);
+                }
+                let other = refract(surface, costs, &descend_corners(surface, &answer.distance, from)?)?;
+                Ok(if costs.of_path(surface, &other) < cost { other } else { path })
+            }
             (PathKind::Straightened | PathKind::Exact, None) if answer.is_exact() => {
                 let distances = self.place_distances(answer)?.expect("all distances are exact");
                 shortest(&distances, from)
