@@ -6,6 +6,9 @@ import { cameraAtRest } from './rest';
 
 export { expect };
 
+/** For tests that look at pixels: of the 110 × 72 that others get, too little is seen. */
+export const SEEN = { deviceScaleFactor: 0.25 };
+
 export type DroppedFile = [name: string, content: string | Buffer];
 
 /** Opens a section of the panel, and the workspace that it is in. */

@@ -3,10 +3,9 @@ import fs from 'node:fs';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { obj, sphere } from '../fixtures';
-import { expect, type HeatwalkPage, openSection, test } from '../page';
+import { expect, type HeatwalkPage, openSection, SEEN, test } from '../page';
 
-// Of 110 × 72 pixels too little is seen.
-test.use({ deviceScaleFactor: 0.25 });
+test.use(SEEN);
 
 /** Shares of the pixels of the model that are yellow, and blue or violet: the ends of viridis. */
 async function endsOfRamp(heatwalk: HeatwalkPage): Promise<[yellow: number, blue: number]> {

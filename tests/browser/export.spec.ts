@@ -3,11 +3,10 @@ import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import type { Page } from '@playwright/test';
 import { complaints } from '../gltf';
-import { crossings, expect, openSection, test } from '../page';
+import { crossings, expect, openSection, SEEN, test } from '../page';
 import { texturedGlb } from '../textured';
 
-// Of 110 × 72 pixels too little is seen.
-test.use({ deviceScaleFactor: 0.25 });
+test.use(SEEN);
 
 async function saved(page: Page, button: string): Promise<{ name: string; bytes: Buffer }> {
   const downloading = page.waitForEvent('download');

@@ -1,8 +1,7 @@
 import type { Page } from '@playwright/test';
-import { expect, openSection, test } from '../page';
+import { expect, openSection, SEEN, test } from '../page';
 
-// Of 110 × 72 pixels too little is seen.
-test.use({ deviceScaleFactor: 0.25 });
+test.use(SEEN);
 
 const fingers = (spread: number) => [
   { x: 200 - spread, y: 420, id: 0 },

@@ -3,7 +3,9 @@ import fs from 'node:fs';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { grid, off } from '../fixtures';
-import { expect, openSection, test, difference } from '../page';
+import { expect, openSection, SEEN, test, difference } from '../page';
+
+test.use(SEEN);
 
 const legend = (page: Page) => page.getByRole('region', { name: 'Legend' });
 const words = (page: Page) => legend(page).getByRole('img').getAttribute('aria-label');

@@ -1,8 +1,7 @@
 import type { Page } from '@playwright/test';
-import { crossings, expect, HeatwalkPage, test } from '../page';
+import { crossings, expect, HeatwalkPage, SEEN, test } from '../page';
 
-// Of 110 × 72 pixels too little is seen.
-test.use({ deviceScaleFactor: 0.25 });
+test.use(SEEN);
 
 /** The page with its first scene, a place on the model, and what counts the stripes there. */
 async function striped(page: Page, backend: 'WebGL2' | 'WebGPU') {

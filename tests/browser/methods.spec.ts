@@ -2,8 +2,10 @@
 import type { Page } from '@playwright/test';
 import { DEFAULT_WINDOWS } from '../../web/wasm/contract';
 import { grid, off, sphere } from '../fixtures';
-import { crossings, expect, type HeatwalkPage, openSection, test } from '../page';
+import { crossings, expect, type HeatwalkPage, openSection, SEEN, test } from '../page';
 import { runInWorkers, workerThatPrints } from '../worker';
+
+test.use(SEEN);
 
 /** With more triangles than propagation searches exactly at first. */
 const BALL = off(sphere(24));

@@ -1,7 +1,9 @@
 /** Large meshes: drawn before they are solved, and the former scene comes back where they are not. */
 import type { Page } from '@playwright/test';
-import { crossings, difference, expect, type HeatwalkPage, test } from '../page';
+import { crossings, difference, expect, type HeatwalkPage, SEEN, test } from '../page';
 import { runInWorkers, workerThatPrints } from '../worker';
+
+test.use(SEEN);
 
 /** Drops a torus of 4 n² triangles, made in the page because it is too large to be sent there. */
 async function dropTorus(page: Page, name: string, n: number): Promise<void> {

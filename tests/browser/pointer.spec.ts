@@ -1,7 +1,6 @@
-import { expect, type HeatwalkPage, openSection, test } from '../page';
+import { expect, type HeatwalkPage, openSection, SEEN, test } from '../page';
 
-// Of 110 × 72 pixels too little is seen.
-test.use({ deviceScaleFactor: 0.25 });
+test.use(SEEN);
 
 async function clickModel(heatwalk: HeatwalkPage, dx = 0, dy = 0, modifier?: string): Promise<void> {
   const pixel = await heatwalk.pixelOnModel(dx, dy);
@@ -183,6 +182,8 @@ test('an undo that comes before the answer shows the field of the sources that a
   page,
 }) => {
   await heatwalk.open();
+  // A question that waits for another one is overtaken, and no field comes of it.
+  await heatwalk.settled();
   const { sources: first } = await heatwalk.scene();
   const solves = await heatwalk.solves();
   await page.evaluate(() => {

@@ -1,8 +1,10 @@
 /** No mesh ends the page: what cannot be opened changes nothing, and what is lost is made anew. */
 import type { Page } from '@playwright/test';
 import { grid, off, sphere } from '../fixtures';
-import { difference, expect, type HeatwalkPage, openSection, test } from '../page';
+import { difference, expect, type HeatwalkPage, openSection, SEEN, test } from '../page';
 import { runInWorkers } from '../worker';
+
+test.use(SEEN);
 
 const N = 24;
 const GRID = off(grid(N));

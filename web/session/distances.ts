@@ -1,7 +1,6 @@
 /** Distances at places in faces and tetrahedra, of the field that is shown. */
 import type { MeshPoint } from '../protocol';
 import { type ModelLength, ofModel } from '../length';
-import { isWeighted } from '../state/ground';
 import type { Session } from './session';
 
 /** Those of places; null where not all of the field is exact, and inside of tetrahedra. */
@@ -21,15 +20,10 @@ export async function exactDistanceAt(session: Session, place: MeshPoint): Promi
 }
 
 /**
- * What the path from a place costs where distances cannot be exact, for costs or inside of tetrahedra, and the field comes from the
- * same way of finding paths; null otherwise. It is the length of a path that exists, the field between vertices only a mean.
+ * The best that is known at one place: exact where all of the field is. Where costs differ and inside of tetrahedra it is that along the
+ * path from there, unless the field is by heat; else it is interpolated. Null without a field.
  */
-export async function distanceAlongPath({ engine, shown }: Session, place: MeshPoint): Promise<ModelLength | null> {
-  const answer = shown.value?.answer;
-  if (!engine || !answer?.field || answer.field.timeFactor !== undefined || answer.pathKind === 'descent') return null;
-  const { ground, sources } = answer.question;
-  const isDirect = sources.every(({ offset = 0 }) => offset === 0);
-  if (!isDirect || !(answer.field.inner || isWeighted(ground))) return null;
-  const cost = await engine.queries.pathCost(place, answer.pathKind);
-  return cost === null ? null : ofModel(cost);
+export async function bestDistanceAt({ engine, shown }: Session, place: MeshPoint): Promise<ModelLength | null> {
+  if (!engine || !shown.value?.answer.field) return null;
+  return ofModel(await engine.queries.distanceAt(place));
 }

@@ -1,7 +1,7 @@
 /** `window.heatwalk`: the page's scripting API, with lengths in the unit of the model. Described in docs/scripting.md. */
 import type { Distances, MeshFigures, Openable, Options, Path, Place, Source, State } from '../embed';
 import type { Clip, DistanceField, FaceField, Moment, PathKind, MeshPoint } from '../protocol';
-import { distanceAlongPath, exactDistanceAt } from '../session/distances';
+import { bestDistanceAt, exactDistanceAt } from '../session/distances';
 import type { Session } from '../session/session';
 import type { TapeFigures } from '../session/tapes';
 import type { Engine } from '../solver/engine';
@@ -104,8 +104,8 @@ export interface Heatwalk extends Script {
   distanceAt(point: MeshPoint): number;
   /** The exact one, as `Queries.exactDistances`. */
   exactDistanceAt(point: MeshPoint): Promise<number | null>;
-  /** Where there are no exact ones, for costs or inside of tetrahedra: what the path from a place costs; null otherwise. */
-  distanceAlongPath(point: MeshPoint): Promise<number | null>;
+  /** The best that is known, as the page shows it under the pointer; null without a field. */
+  bestDistanceAt(point: MeshPoint): Promise<number | null>;
   /** #F × 3: vectors of the triangles by the field held by the solver; `Queries.gradients` says which. */
   gradients(kind: FaceField): Promise<Float32Array>;
   /** Logarithm of heat at the drawn vertices, as `Queries.heat` gives it. */
@@ -220,7 +220,7 @@ export function expose(
       return shown?.answer.field ? shown.places.valueAt(point, shown.answer.field) : Number.NaN;
     },
     exactDistanceAt: (point) => exactDistanceAt(session, point),
-    distanceAlongPath: (point) => distanceAlongPath(session, point),
+    bestDistanceAt: (point) => bestDistanceAt(session, point),
     gradients: async (kind) => openEngine(session).queries.gradients(kind),
     heat: async () => openEngine(session).queries.heat(),
     async picture(scale = 1, clear = false, legend = false) {

@@ -191,7 +191,8 @@ pub struct Isolines {
     /// The direction from which an .svg or .pdf shows the curves, after --up has turned the mesh
     #[arg(long, value_name = "X,Y,Z", value_parser = direction, default_value = "1,1,1", allow_hyphen_values = true)]
     pub view: DVec3,
-    /// Write the curves to an .obj, .dxf, .svg, .pdf, .csv or .glb file; strips to an .obj file, unrolled ones to an .svg, .dxf or .pdf file
+    /// Write the curves to an .obj, .dxf, .svg, .pdf, .csv or .glb file, strips to an .obj file, unrolled ones to an .svg, .dxf or
+    /// .pdf file
     #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
     #[command(flatten)]

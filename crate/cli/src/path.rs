@@ -54,7 +54,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     report.push("distance_interpolated", found.is_interpolated);
     report.push("length", found.path.length());
     if prepared.solver.costs().is_some() {
-        report.push("cost", cost(&prepared.solver, &found.path));
+        report.push("cost", prepared.solver.cost_of(&found.path));
     }
     report.push("points", points);
     report.push(
@@ -80,7 +80,7 @@ fn by_descent(
     let is_exact = answer.method == Method::Exact;
     let kind = if is_exact || arguments.straighten { PathKind::Straightened } else { PathKind::Descent };
     let path = solver.path(&answer, from, kind)?;
-    let length = cost(solver, &path);
+    let length = solver.cost_of(&path);
     if is_exact {
         // Values of vertices are exact; what lies between them is not, but the path is.
         let path_ms = milliseconds(start);
@@ -99,11 +99,6 @@ fn exactly(solver: &mut DistanceSolver, from: SurfacePoint, to: SurfacePoint) ->
     let path = shortest_path(solver.exact_geometry(), from, &[to])?;
     // One search gives distance and path.
     let solve_ms = milliseconds(start);
-    let distance = cost(solver, &path);
+    let distance = solver.cost_of(&path);
     Ok(Found { path, distance, is_interpolated: false, method: Method::Exact, solve_ms, path_ms: 0.0 })
-}
-
-/// Of a path: its length where all cost 1.
-fn cost(solver: &DistanceSolver, path: &heatwalk::Path) -> f64 {
-    solver.costs().map_or_else(|| path.length(), |costs| costs.of_path(solver.surface(), path))
 }

@@ -114,9 +114,9 @@ impl InnerSolver {
         Ok(draw_path(&path, &self.drawn.transform))
     }
 
-    /// What the path from a place to its nearest source costs, its length where all costs are 1.
-    pub fn path_cost(&self, #[wasm_bindgen(unchecked_param_type = "object")] from: &JsValue) -> Result<f64> {
-        Ok(self.solver.path(self.solved()?, self.drawn.point(from)?)?.cost)
+    /// The last field at a place, in the file's unit, Infinity where no source reaches it: see [`VolumeSolver::at`].
+    pub fn distance_at(&self, #[wasm_bindgen(unchecked_param_type = "object")] place: &JsValue) -> Result<f64> {
+        Ok(self.solver.at(self.solved()?, self.drawn.point(place)?)?)
     }
 
     /// `#F × 3`, the drawn triangles beside each drawn one, across the edges from its corners to the next; itself where there is none.

@@ -1,5 +1,7 @@
 //! Distances on a plane of two media, as a Markdown table: errors against Snell's law, in per cent (mean / largest beyond ten
-//! edges from the source), and the time of a field in milliseconds, the least of some runs. Heat with its factors.
+//! edges from the source), and the time of a field in milliseconds, the least of some runs. Heat with its factors. Then what paths
+//! cost more than the distance says, in per cent (mean / largest), where each face has a cost of its own: refracted descents, and
+//! paths of the solver.
 //!
 //! `cargo run --release -p heatwalk --example costs`
 
@@ -12,11 +14,19 @@ use std::time::Instant;
 
 use common::media::{jittered_square, least_cost, two_media};
 use common::nearest;
+use common::truth::Random;
 use glam::DVec3;
-use heatwalk::{Costs, DistanceOptions, DistanceSolver, Method, Surface, VertexId, go_on};
+use heatwalk::{
+    Costs, DistanceOptions, DistanceSolver, Element, Method, PathKind, Surface, VertexId, descend, go_on, refract,
+    tobler,
+};
+use heatwalk_shapes as shapes;
 
 /// Runs of which the least time counts.
 const RUNS: usize = 5;
+
+/// Paths of each surface.
+const PATHS: usize = 400;
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("| source | costs | edges across | auto | heat | auto, ms | heat, ms |");
@@ -35,7 +45,37 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
     }
+    println!("\n| surface | costs | refracted descent | path |");
+    println!("|---|---|---|---|");
+    let ball = Arc::new(Surface::build(&shapes::icosphere(5))?);
+    let mut random = Random::new(1);
+    let of_face = (0..ball.face_count()).map(|_| random.between(1.0, 10.0));
+    let at_random = Costs::new(&ball, of_face.collect())?;
+    println!("| sphere | 1 to 10 at random | {} |", excess(&ball, &at_random)?);
+    let terrain = Arc::new(Surface::build(&shapes::by_name("terrain")?.soup)?);
+    let of_slope = Costs::of_slope(&terrain, DVec3::Y, tobler)?;
+    println!("| terrain | of its slopes | {} |", excess(&terrain, &of_slope)?);
     Ok(())
+}
+
+/// What refracted descents and what paths cost more than the distance says, from some vertices.
+fn excess(surface: &Arc<Surface>, costs: &Costs) -> Result<String, Box<dyn Error>> {
+    let mut solver = DistanceSolver::new(Arc::clone(surface)).weighted(costs.clone());
+    let answer = solver.distance(&[VertexId(0)], &DistanceOptions::default(), &mut go_on)?;
+    let (mut sums, mut most) = ([0.0; 2], [0.0_f64; 2]);
+    for index in 0..PATHS {
+        let from = VertexId::from_index(1 + index * (surface.vertex_count() - 1) / PATHS);
+        let paths = [
+            refract(surface, costs, &descend(surface, &answer.distance, from)?)?,
+            solver.path(&answer, from, PathKind::Straightened)?,
+        ];
+        for (path, (sum, most)) in paths.iter().zip(sums.iter_mut().zip(&mut most)) {
+            let excess = 100.0 * (solver.cost_of(path) / answer.distance.values[from] - 1.0);
+            *sum += excess / PATHS as f64;
+            *most = most.max(excess);
+        }
+    }
+    Ok(sums.iter().zip(most).map(|(mean, most)| format!("{mean:.3} / {most:.2}")).collect::<Vec<_>>().join(" | "))
 }
 
 /// The distance of each vertex, and the milliseconds of asking for it the first time.

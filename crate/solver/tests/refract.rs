@@ -10,7 +10,8 @@ use crate::common::truth::Random;
 use crate::common::{nearest, surface};
 use glam::DVec3;
 use heatwalk::{
-    Costs, DistanceOptions, DistanceSolver, FaceId, PathKind, VertexId, descend, go_on, refract, straighten,
+    Costs, DistanceOptions, DistanceSolver, FaceId, Method, PathKind, Place, VertexId, descend, go_on, refract,
+    straighten,
 };
 use heatwalk_shapes::{icosphere, torus};
 
@@ -101,4 +102,38 @@ fn paths_cost_what_the_distance_says() {
         let [cost, distance] = [costs.of_path(&ball, &path), answer.distance.values[from]];
         assert!(cost < 1.02 * distance, "{cost} for {distance} from {from:?}");
     }
+}
+
+#[test]
+fn the_distance_at_a_place_is_that_along_the_path_from_there() {
+    let ball = Arc::new(surface(&icosphere(3)));
+    let mut random = Random::new(4);
+    let of_face = (0..ball.face_count()).map(|_| random.between(1.0, 10.0));
+    let costs = Costs::new(&ball, of_face.collect()).expect("in range");
+    let mut solver = DistanceSolver::new(Arc::clone(&ball)).weighted(costs);
+    let sources =
+        [(VertexId(3), 0.5), (VertexId(400), 2.0)].map(|source| ball.source(source.0, source.1).expect("a source"));
+    let ask = |solver: &mut DistanceSolver, method| {
+        solver.distance(&sources, &DistanceOptions::by(method), &mut go_on).expect("a source")
+    };
+    let answer = ask(&mut solver, Method::Auto);
+    let by_heat = ask(&mut solver, Method::Heat);
+    let mut starts = [false; 2];
+    for face in (0..1280).step_by(40).map(FaceId) {
+        let place = Place::Face { face, weights: [0.2, 0.3, 0.5] };
+        let path = solver.path(&answer, place, PathKind::Straightened).expect("connected");
+        let end = path.points[path.points.len() - 1].location.vertex(&ball);
+        let first = end == Some(VertexId(3));
+        starts[usize::from(first)] = true;
+        let along = solver.cost_of(&path) + if first { 0.5 } else { 2.0 };
+        assert_eq!(solver.at(&answer, place).expect("on the surface"), along);
+        let between = by_heat.distance.at(&ball, place).expect("on the surface");
+        assert_eq!(solver.at(&by_heat, place).expect("on the surface"), between, "by heat");
+    }
+    assert_eq!(starts, [true; 2], "paths lead to either source");
+    solver.set_costs(None);
+    let exact = ask(&mut solver, Method::Exact);
+    let place = Place::Face { face: FaceId(700), weights: [0.2, 0.3, 0.5] };
+    let known = solver.place_distances(&exact).expect("no costs").expect("all is exact").at(place);
+    assert_eq!(solver.at(&exact, place), known);
 }

@@ -248,18 +248,6 @@ impl Solver {
         self.shown_path(path)
     }
 
-    /// What the path from a place to its nearest source costs, its length where all costs are 1; what is shown stays.
-    pub fn path_cost(
-        &mut self,
-        #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] from: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "PathKind")] kind: &str,
-    ) -> Result<f64> {
-        let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
-        let from = self.drawn.point(self.solver.surface(), from)?;
-        let path = self.solver.path(solved.solution.answer(), from, kind.parse()?)?;
-        Ok(self.solver.costs().map_or(path.length(), |costs| costs.of_path(self.solver.surface(), &path)))
-    }
-
     /// Searches the exact path from a place to its nearest source by about `work` windows further; none until it is found.
     pub fn search_path(
         &mut self,
@@ -271,6 +259,16 @@ impl Solver {
         let sources = &solved.solution.answer().sources;
         let path = self.solver.search_path(&mut self.search, from, sources, work as usize)?;
         path.map(|path| self.shown_path(path)).transpose()
+    }
+
+    /// The last field at a place, in the file's unit, Infinity where no source reaches it: see [`DistanceSolver::at`].
+    pub fn distance_at(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "SurfacePoint")] place: &JsValue,
+    ) -> Result<f64> {
+        let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
+        let place = self.drawn.point(self.solver.surface(), place)?;
+        Ok(self.solver.at(solved.solution.answer(), place)?)
     }
 
     /// The last field at places, in the file's unit, Infinity where no source reaches them; none until all of it is exact.

@@ -1,5 +1,5 @@
 import type { MeshPoint } from '../../protocol';
-import { distanceAlongPath, exactDistanceAt } from '../../session/distances';
+import { bestDistanceAt } from '../../session/distances';
 import type { Session } from '../../session/session';
 import { type ModelLength, ofModel, unitOf } from '../../length';
 import { h, say } from '../dom';
@@ -32,14 +32,14 @@ export class Readout {
   }
 
   show(point: MeshPoint, x: number, y: number): void {
-    const text = readoutText(this.#session, point, null, false);
+    const text = readoutText(this.#session, point, null);
     if (text === null) {
       this.hide();
       return;
     }
     this.#reading = { point, x, y, camera: this.#camera };
     this.#draw(this.#reading, text);
-    void this.#makeExact();
+    void this.#improve();
   }
 
   /** Under the place on the screen there is another one once the camera has moved. */
@@ -56,8 +56,8 @@ export class Readout {
     return String(this.#session.view.camera);
   }
 
-  /** Asks for the distance of what is read, one question at a time, and shows it if that is read still. */
-  async #makeExact(): Promise<void> {
+  /** Asks for the best distance of what is read, one question at a time, and shows it if that is read still. */
+  async #improve(): Promise<void> {
     if (this.#isAsking) return;
     this.#isAsking = true;
     try {
@@ -65,11 +65,9 @@ export class Readout {
       while (this.#reading && this.#reading !== asked) {
         asked = this.#reading;
         const answer = this.#session.shown.value?.answer;
-        const exact = await exactDistanceAt(this.#session, asked.point);
-        const distance = exact ?? (await distanceAlongPath(this.#session, asked.point));
+        const distance = await bestDistanceAt(this.#session, asked.point);
         const isCurrent = asked === this.#reading && answer === this.#session.shown.value?.answer;
-        const isKnown = isCurrent && distance !== null;
-        const text = isKnown ? readoutText(this.#session, asked.point, distance, exact !== null) : null;
+        const text = isCurrent && distance !== null ? readoutText(this.#session, asked.point, distance) : null;
         if (text !== null) this.#draw(asked, text);
       }
     } catch {
@@ -91,23 +89,19 @@ export class Readout {
   }
 }
 
-/** `known`: the distance, and whether it is exact; null where it is taken from those of vertices. */
-function readoutText(
-  { scene, shown }: Session,
-  point: MeshPoint,
-  known: ModelLength | null,
-  isExact: boolean,
-): Words | null {
+/** `best`: the distance; null where it is taken from those of vertices for now. */
+function readoutText({ scene, shown }: Session, point: MeshPoint, best: ModelLength | null): Words | null {
   if (!shown.value) return null;
   const { opened, places, answer } = shown.value;
   const vertex = t`vertex ${places.nearestVertex(point)}`;
   if (!answer.field) return vertex;
-  const distance = known ?? places.valueAt(point, answer.field);
+  const distance = best ?? places.valueAt(point, answer.field);
   if (!Number.isFinite(distance)) return t`unreachable · ${vertex}`;
   // Rounding of places is no length.
   const shownDistance = distance < LEAST * places.diameter ? ofModel(0) : distance;
   const length = measure(shownDistance, unitOf(scene.state, opened));
-  const isInexact = !isExact && (places.isBetween(point) || distance > answer.field.exactBelow);
-  const about = isInexact ? t`≈ ${length}` : length;
+  const { exactBelow } = answer.field;
+  const isBetween = places.isBetween(point) && !(best !== null && exactBelow === Infinity);
+  const about = isBetween || distance > exactBelow ? t`≈ ${length}` : length;
   return t`${about} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
 use heatwalk_sparse::Progress;
 use heatwalk_surface::{Path, Source, SurfacePoint, ToPoint};
 
@@ -14,7 +15,8 @@ use crate::propagation::{REFRACTED, Windows};
 
 impl DistanceSolver {
     /// The path from a place to its nearest source of an answer. Where all its distances are exact, a straightened path is the shortest one.
-    /// Where faces have different costs, no path is known to be exact: all but the descent are refracted there.
+    /// Where faces have different costs, no path is known to be exact: all but the descent are refracted there, and where the distance
+    /// tells of a cheaper path, so is the way from corner to corner by which the distance is least.
     ///
     /// # Errors
     /// As [`descend`]; for [`PathKind::Exact`] as [`exact::shortest_path`].
@@ -24,16 +26,14 @@ impl DistanceSolver {
         match (kind, self.several_costs()) {
             (PathKind::Descent, _) => descent(),
             (PathKind::Straightened | PathKind::Exact, Some(costs)) => {
-                // Paths of locally least cost differ by the sides on which they go around what is dear. Where the distance tells
-                // of a cheaper one, another is tried.
                 let path = refract(surface, costs, &descent()?)?;
-                let cost = costs.of_path(surface, &path);
-                let distance = surface.point(from)?.place().interpolate(surface, &answer.distance.values);
-                if cost <= distance {
+                let distance = self.along(answer, &path);
+                if distance <= answer.distance.at(surface, from)? {
                     return Ok(path);
                 }
+                // Paths of locally least cost differ by the sides on which they go around what is dear.
                 let other = refract(surface, costs, &descend_corners(surface, &answer.distance, from)?)?;
-                Ok(if costs.of_path(surface, &other) < cost { other } else { path })
+                Ok(if self.along(answer, &other) < distance { other } else { path })
             }
             (PathKind::Straightened | PathKind::Exact, None) if answer.is_exact() => {
                 let distances = self.place_distances(answer)?.expect("all distances are exact");
@@ -42,6 +42,38 @@ impl DistanceSolver {
             (PathKind::Straightened, None) => straighten(surface, &descent()?),
             (PathKind::Exact, None) => exact::shortest_path(self.exact_geometry(), from, &answer.sources),
         }
+    }
+
+    /// The distance at a place: exact where all those of the answer are. Where costs differ it is that along the
+    /// [path](Self::path) from there, unless it is by heat; else it is interpolated in the face. Infinite where no source reaches.
+    ///
+    /// # Errors
+    /// As [`Distance::at`](crate::Distance::at) and [`Self::path`].
+    pub fn at(&mut self, answer: &Answer, place: impl ToPoint) -> Result<f64> {
+        if let Some(distances) = self.place_distances(answer)? {
+            return distances.at(place);
+        }
+        let interpolated = answer.distance.at(&self.surface, place)?;
+        if self.several_costs().is_none() || answer.method == Method::Heat || interpolated.is_infinite() {
+            return Ok(interpolated);
+        }
+        let path = self.path(answer, place, PathKind::Straightened)?;
+        Ok(self.along(answer, &path))
+    }
+
+    /// The distance where a path to a source of an answer begins: what it costs, and the initial distance where it ends.
+    fn along(&self, answer: &Answer, path: &Path) -> f64 {
+        let end = path.points.last().map_or(DVec3::ZERO, |point| point.position);
+        let nearest = answer.sources.iter().min_by(|one, other| {
+            let away = |source: &Source| source.place().position(&self.surface).distance_squared(end);
+            away(one).total_cmp(&away(other)).then(one.initial_distance().total_cmp(&other.initial_distance()))
+        });
+        self.cost_of(path) + nearest.map_or(0.0, Source::initial_distance)
+    }
+
+    /// What a path on the surface costs: its length where all costs are 1.
+    pub fn cost_of(&self, path: &Path) -> f64 {
+        self.costs().map_or_else(|| path.length(), |costs| costs.of_path(&self.surface, path))
     }
 
     /// A path between two places that is locally shortest, or of locally least cost where costs differ, by few windows.

@@ -24,13 +24,12 @@ impl Solver {
         let faces: Vec<_> = path.points.iter().map(face_of).collect();
         let weights =
             path.points.iter().zip(&faces).flat_map(|(point, &face)| point.location.weights_in(surface, face));
-        let length = path.length();
         Leg {
             triangles: faces.iter().map(|&face| numbers[face]).collect(),
             weights: weights.collect(),
-            length,
+            length: path.length(),
             straight: straight(path),
-            cost: self.solver.costs().map_or(length, |costs| costs.of_path(surface, path)),
+            cost: self.solver.cost_of(path),
         }
     }
 

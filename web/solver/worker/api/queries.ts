@@ -11,7 +11,6 @@ import type {
   IsolineWish,
   Leg,
   MeshPoint,
-  PathKind,
   SavedCurves,
   GirthFile,
   Plane,
@@ -56,9 +55,9 @@ export function exactDistances(places: readonly MeshPoint[]): Float64Array | nul
   return openMesh().surface?.exact_distances(places.map(known)) ?? null;
 }
 
-/** What the path from a place costs by the last field, its length where all costs are 1; null where no path leads on. */
-export function pathCost(from: MeshPoint, kind: PathKind): number | null {
-  return pathOf(() => openMesh().solver.path_cost(known(from), kind)) ?? null;
+/** The last field at a place, in the file's unit, Infinity where no source reaches it: the best that is known there. */
+export function distanceAt(place: MeshPoint): number {
+  return openMesh().solver.distance_at(known(place));
 }
 
 /**
