@@ -4,8 +4,9 @@
 // npm run test:slow: what is slow by nature: a million triangles, videos in real time, every preset, in the page as it is
 // published.
 
+import { join } from 'node:path';
 import { buildModules, bundle, bundleSingle, publishModules, TESTED_FILE, TESTED_PAGE } from './bundle.mjs';
-import { lint, lintTheRest } from './checks.mjs';
+import { checkFormat, checkSpelling, lintPage, lintWhileCompiling } from './checks.mjs';
 import { findFirefox, findMesa, findShell, findWebKit, hasSoftwareVulkan, prepare, requireChromium } from './needs.mjs';
 import { findReaders } from './peers.mjs';
 import { cargo, npmProgram, output, printTimes, root } from './steps.mjs';
@@ -45,10 +46,18 @@ if (isSlow) {
     testPage({}, ['--grep', word]);
   }
 } else {
-  lint(buildModules);
-  lintTheRest();
+  lintWhileCompiling();
+  checkFormat();
+  checkSpelling();
+  lintPage(buildModules);
+  cargo(
+    'Compiling and linting Rust',
+    ['test', ...most, '--all-targets', '--no-run'],
+    'The message above names the place.',
+  );
   cargo('Running the Rust tests', ['test', ...most, '--lib', '--bins', '--tests', ...all], named, gpu);
-  cargo('Running the examples of the documentation', ['test', ...most, '--doc'], named);
+  const documented = { RUSTDOC: join(root, 'tools', 'rustdoc.mjs') };
+  cargo('Building the documentation of Rust and running its examples', ['test', ...most, '--doc'], named, documented);
   cargo('Running the tests of the build steps', ['test', '--package', 'xtask'], named);
   cargo("Running the solver's tests on wasm32", ['xtask', 'test-wasm'], named);
   testPage();

@@ -9,7 +9,7 @@
 //!
 //! # Shaders
 //!
-//! A module comes through [`wgpu::Device::create_shader_module_passthrough`] as GLSL. Its entry points stand one after the other,
+//! A module comes through `wgpu::Device::create_shader_module_passthrough` as GLSL. Its entry points stand one after the other,
 //! each below a line of words: `//`, the entry point, and the uniforms that it uses. These have their places as names: `u_G_B_S` for
 //! a uniform block of group G and binding B in stage S, `t_G_B_G_B` for a texture with its sampler.
 #![cfg(target_arch = "wasm32")]
