@@ -25,11 +25,11 @@ export function lintTheRest() {
 }
 
 /**
- * Has all Rust of this workspace linted from now on where it is compiled, natively and for wasm32. Beside a compilation that takes
- * no time, while lints apart check all crates that it builds on once more: a tenth of all the tests.
+ * Has all Rust of this workspace linted from now on where it is compiled, natively and for wasm32. Lints apart check all crates that
+ * it builds on once more, which would take a tenth of the time of all tests.
  */
 export function lintWhileCompiling() {
-  process.env.RUSTC_WORKSPACE_WRAPPER = 'clippy-driver';
+  process.env.RUSTC_WORKSPACE_WRAPPER = join(root, 'tools', 'lint.mjs');
   // As `cargo clippy` hands arguments over.
   process.env.CLIPPY_ARGS = '-Dwarnings__CLIPPY_HACKERY__';
 }

@@ -1,11 +1,10 @@
 /** Paths of the files of one input. */
 import { t } from '../texts/translate';
+import { SURFACE_EXTENSIONS, TETRAHEDRON_EXTENSIONS } from '../wasm/contract';
 
-/** Extensions of meshes: of surfaces, of tetrahedra, and of files that may hold either. */
-const SURFACES = ['3mf', 'glb', 'gltf', 'obj', 'off', 'ply', 'stl', 'vtp'];
-const TETRAHEDRA = ['ele', 'mesh', 'meshb', 'msh', 'node'];
-const EITHER = ['vtk', 'vtu'];
-const MESHES = [...SURFACES, ...TETRAHEDRA, ...EITHER];
+const SURFACES: readonly string[] = SURFACE_EXTENSIONS;
+const TETRAHEDRA: readonly string[] = TETRAHEDRON_EXTENSIONS;
+const MESHES = [...new Set([...SURFACES, ...TETRAHEDRA])];
 const ARCHIVE = 'zip';
 const PACKED = 'gz';
 /** Of rows of numbers. */
@@ -40,7 +39,7 @@ export function withoutGz(path: string): string {
 /** Whether a mesh is one of tetrahedra by its name. */
 export function holdsTetrahedra(path: string): boolean | 'perhaps' {
   const extension = extensionOf(path);
-  return TETRAHEDRA.includes(extension) || (EITHER.includes(extension) && 'perhaps');
+  return TETRAHEDRA.includes(extension) && (!SURFACES.includes(extension) || 'perhaps');
 }
 
 export function isArchive(path: string): boolean {

@@ -11,7 +11,7 @@ use glam::DVec3;
 use heatwalk::{BridgeRule, DistanceOptions, MultiSource, Parameters, UnitRule, Up, WeldRule};
 
 use crate::ground::Ground;
-use crate::method::{Given, Methods};
+use crate::method::{MethodOptions, Methods};
 use crate::options::{Linear, Options, choice, chosen};
 use crate::place::{Line, Place, SourcePlace};
 
@@ -269,7 +269,7 @@ impl Solving {
         self.options.parameters(self.linear.solver.unwrap_or_default(), sources)
     }
 
-    fn distance_options(&self, given: &Given, sources: MultiSource) -> Result<DistanceOptions> {
+    fn distance_options(&self, given: &MethodOptions, sources: MultiSource) -> Result<DistanceOptions> {
         Ok(DistanceOptions {
             method: self.methods.chosen(given)?,
             windows: self.methods.windows.unwrap_or_default(),
@@ -286,7 +286,7 @@ impl Question {
     /// Options that would have no effect.
     pub fn distance_options(&self) -> Result<DistanceOptions> {
         let search = self.max_distance.map(|_| "--max-distance");
-        let given = Given { heat: self.heat_option(), exact: self.exact, search };
+        let given = MethodOptions { heat: self.heat_option(), exact: self.exact, search };
         let options = self.solving.distance_options(&given, self.multi.unwrap_or_default())?;
         Ok(DistanceOptions { max_distance: self.max_distance.unwrap_or(f64::INFINITY), ..options })
     }
@@ -303,7 +303,7 @@ impl Path {
     /// # Errors
     /// Options that would have no effect.
     pub fn distance_options(&self) -> Result<DistanceOptions> {
-        let given = Given { heat: self.solving.heat_option(), exact: self.exact, search: None };
+        let given = MethodOptions { heat: self.solving.heat_option(), exact: self.exact, search: None };
         self.solving.distance_options(&given, MultiSource::default())
     }
 }

@@ -17,7 +17,7 @@ const CHUNK: usize = 1 << 16;
 const NAMED: usize = 5;
 
 /// A mesh file.
-pub struct Given<'a> {
+pub struct MeshFile<'a> {
     /// Its name without that of its folder, and without `.gz`.
     pub name: &'a str,
     pub bytes: &'a [u8],
@@ -27,7 +27,7 @@ pub struct Given<'a> {
 }
 
 /// Reads a file, which may be packed by gzip (`.gz`), or an archive with one mesh and what that refers to (`.zip`).
-pub fn open<T>(path: &Path, read: impl FnOnce(Given) -> Result<T>) -> Result<T> {
+pub fn open<T>(path: &Path, read: impl FnOnce(MeshFile) -> Result<T>) -> Result<T> {
     let bytes = read_file(path).with_context(|| format!("cannot read {}", path.display()))?;
     let budget = &Budget::of_file(bytes.len());
     let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -37,7 +37,7 @@ pub fn open<T>(path: &Path, read: impl FnOnce(Given) -> Result<T>) -> Result<T> 
             let bytes = archive.read(mesh).with_context(|| path.display().to_string())?;
             let name = mesh.rsplit('/').next().unwrap_or(mesh);
             let resources = |uri: &str| archive.read(resolve(mesh, uri, archive.paths())?).ok();
-            return read(Given { name, bytes: &bytes, budget, resources: &resources });
+            return read(MeshFile { name, bytes: &bytes, budget, resources: &resources });
         }
     }
     let folder = path.parent().unwrap_or(Path::new(""));
@@ -47,9 +47,9 @@ pub fn open<T>(path: &Path, read: impl FnOnce(Given) -> Result<T>) -> Result<T> 
     };
     if bytes.starts_with(GZIP_MAGIC) {
         let bytes = unpack(budget, &bytes).with_context(|| path.display().to_string())?;
-        return read(Given { name: without_gz(&name), bytes: &bytes, budget, resources: &resources });
+        return read(MeshFile { name: without_gz(&name), bytes: &bytes, budget, resources: &resources });
     }
-    read(Given { name: &name, bytes: &bytes, budget, resources: &resources })
+    read(MeshFile { name: &name, bytes: &bytes, budget, resources: &resources })
 }
 
 /// Whether the file may hold tetrahedra, by its name.

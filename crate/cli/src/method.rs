@@ -44,7 +44,7 @@ fn named() -> impl TypedValueParser<Value = Named> {
 }
 
 /// The options given that some methods only heed, by their names on the command line.
-pub struct Given {
+pub struct MethodOptions {
     /// One of the heat method.
     pub heat: Option<&'static str>,
     /// `--exact`.
@@ -55,7 +55,7 @@ pub struct Given {
 
 impl Methods {
     /// The method that the options mean. One that would have no effect is refused.
-    pub fn chosen(&self, given: &Given) -> Result<Method> {
+    pub fn chosen(&self, given: &MethodOptions) -> Result<Method> {
         let explicit = match self.method {
             Some(Named::March) => bail!("--method march is for tetrahedra; choose auto or heat for a surface"),
             Some(Named::Surface(method)) => Some((method, format!("--method {}", method.name()))),

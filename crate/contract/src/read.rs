@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use anyhow::{Context, Result, bail};
 use syn::parse::{Parse, ParseStream};
-use syn::{Attribute, Expr, Ident, Item, ItemEnum, ItemStruct, Lit, LitStr, Meta, Token, Type, Visibility};
+use syn::{Attribute, Expr, Ident, Item, ItemEnum, ItemStruct, Lit, LitStr, Member, Meta, Token, Type, Visibility};
 
 /// Everything that is defined, in the order of the sources.
 #[derive(Default)]
@@ -28,6 +28,7 @@ pub struct Constant {
 pub enum Value {
     Word(String),
     Number(f64),
+    Words(Vec<String>),
     /// An array, or both ends of a range.
     Numbers(Vec<f64>),
 }
@@ -191,6 +192,46 @@ impl Definitions {
             self.options.push(Options { name: item.ident.to_string(), doc: doc(&item.attrs), fields });
         }
         Ok(())
+    }
+}
+
+/// The extensions of files that a source file defines: the first words of its `EXTENSIONS`, and those of its `FORMAT`.
+///
+/// # Errors
+/// Where that is no Rust.
+pub fn extensions(source: &str) -> Result<Vec<String>> {
+    let mut found = Vec::new();
+    for item in syn::parse_file(source)?.items {
+        let Item::Const(item) = item else { continue };
+        match &*item.expr {
+            Expr::Array(pairs) if item.ident == "EXTENSIONS" => found.extend(pairs.elems.iter().filter_map(first_word)),
+            Expr::Struct(format) if item.ident == "FORMAT" => {
+                let field =
+                    |field: &&syn::FieldValue| matches!(&field.member, Member::Named(name) if name == "extensions");
+                if let Some(Expr::Reference(list)) = format.fields.iter().find(field).map(|field| &field.expr)
+                    && let Expr::Array(words) = &*list.expr
+                {
+                    found.extend(words.elems.iter().filter_map(word));
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(found)
+}
+
+/// Of a pair.
+fn first_word(expression: &Expr) -> Option<String> {
+    match expression {
+        Expr::Tuple(pair) => word(pair.elems.first()?),
+        _ => None,
+    }
+}
+
+fn word(expression: &Expr) -> Option<String> {
+    match value(expression) {
+        Some(Value::Word(word)) => Some(word),
+        _ => None,
     }
 }
 

@@ -63,6 +63,12 @@ fn the_page_has_the_names_and_ranges_of_the_solver() {
     assert!(text.contains(&format!("export const AUTOMATIC = '{AUTOMATIC}';")), "{text}");
     assert!(text.contains(&format!("export const WINDOWS = {WINDOWS:?} as const;")), "{text}");
     assert!(text.contains(&format!("export const DEFAULT_WINDOWS = {DEFAULT_WINDOWS};")), "{text}");
+    for line in [
+        "SURFACE_EXTENSIONS = ['3mf', 'coff', 'glb', 'gltf', 'noff', 'obj', 'off', 'ply', 'stl', 'vtk', 'vtp', 'vtu']",
+        "TETRAHEDRON_EXTENSIONS = ['ele', 'mesh', 'meshb', 'msh', 'node', 'vtk', 'vtu']",
+    ] {
+        assert!(text.contains(&format!("export const {line} as const;")), "{line}\nis not in\n{text}");
+    }
 }
 
 #[test]

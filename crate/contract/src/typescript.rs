@@ -45,6 +45,10 @@ fn written(value: &Value) -> String {
     match value {
         Value::Word(word) => quoted(word),
         Value::Number(number) => number.to_string(),
+        Value::Words(words) => {
+            let words: Vec<String> = words.iter().map(|word| quoted(word)).collect();
+            format!("[{}] as const", words.join(", "))
+        }
         Value::Numbers(numbers) => {
             let numbers: Vec<String> = numbers.iter().map(f64::to_string).collect();
             format!("[{}] as const", numbers.join(", "))

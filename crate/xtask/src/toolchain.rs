@@ -13,9 +13,6 @@ const DEBIAN_RUSTC: &str = "/usr/bin/rustc";
 const DEBIAN_LINKER: &str = "/usr/bin/rust-lld";
 const DEBIAN_CLIPPY: &str = "/usr/bin/clippy-driver";
 
-/// What compiles the crates of the workspace in the place of the compiler.
-const WRAPPER: &str = "RUSTC_WORKSPACE_WRAPPER";
-
 /// How the standard library for wasm32 comes about.
 pub enum Toolchain {
     /// It is installed for the active compiler: an ordinary build.
@@ -39,18 +36,18 @@ impl Toolchain {
         )
     }
 
-    /// `cargo COMMAND` for wasm32 with this toolchain; `clippy` runs the linter of the same compiler, and so does what is to be
-    /// linted where it is compiled.
+    /// `cargo COMMAND` for wasm32 with this toolchain; `clippy` runs the linter of the same compiler.
     pub fn cargo(&self, command: &str) -> Command {
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         match self {
             Self::Installed => cargo.arg(command),
             Self::BuildStd => {
                 cargo.env("RUSTC", DEBIAN_RUSTC).env("RUSTC_BOOTSTRAP", "1");
-                if command == "clippy" || std::env::var_os(WRAPPER).is_some() {
-                    cargo.env(WRAPPER, DEBIAN_CLIPPY);
+                if command == "clippy" {
+                    cargo.env("RUSTC_WORKSPACE_WRAPPER", DEBIAN_CLIPPY).arg("check");
+                } else {
+                    cargo.arg(command);
                 }
-                cargo.arg(if command == "clippy" { "check" } else { command });
                 cargo.arg("-Zbuild-std=std,panic_abort")
             }
         };

@@ -44,6 +44,17 @@ pub enum Format {
     TetGen,
 }
 
+/// What extensions of files stand for.
+const EXTENSIONS: [(&str, Format); 7] = [
+    ("ele", Format::TetGen),
+    ("mesh", Format::Medit),
+    ("meshb", Format::Medit),
+    ("msh", Format::Gmsh),
+    ("node", Format::TetGen),
+    ("vtk", Format::Vtk),
+    ("vtu", Format::Vtk),
+];
+
 impl Format {
     /// The format of a file: by its first bytes where they tell, else by the extension of its name.
     pub fn of(name: &str, bytes: &[u8]) -> Option<Self> {
@@ -62,13 +73,7 @@ impl Format {
     /// The format that an extension stands for.
     pub fn of_name(name: &str) -> Option<Self> {
         let (_, extension) = stem_and_extension(name);
-        match extension.to_ascii_lowercase().as_str() {
-            "mesh" | "meshb" => Some(Self::Medit),
-            "msh" => Some(Self::Gmsh),
-            "vtk" | "vtu" => Some(Self::Vtk),
-            "node" | "ele" => Some(Self::TetGen),
-            _ => None,
-        }
+        EXTENSIONS.into_iter().find(|(known, _)| extension.eq_ignore_ascii_case(known)).map(|(_, format)| format)
     }
 }
 

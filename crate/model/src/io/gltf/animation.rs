@@ -1,7 +1,7 @@
 //! Animations. A channel that cannot be read is left out: the mesh is right without.
 
 use gltf::json::Root;
-use gltf::json::animation::{Animation, Interpolation as Given, Property, Sampler};
+use gltf::json::animation::{Animation, Interpolation as Named, Property, Sampler};
 use gltf::json::validation::Checked;
 
 use super::accessor::{Accessors, number};
@@ -36,9 +36,9 @@ struct Keyframes<'a> {
 impl<'a> Keyframes<'a> {
     fn read(accessors: Accessors<'a>, sampler: &Sampler) -> Option<Self> {
         let interpolation = match sampler.interpolation {
-            Checked::Valid(Given::Step) => Interpolation::Step,
-            Checked::Valid(Given::Linear) => Interpolation::Linear,
-            Checked::Valid(Given::CubicSpline) => Interpolation::CubicSpline,
+            Checked::Valid(Named::Step) => Interpolation::Step,
+            Checked::Valid(Named::Linear) => Interpolation::Linear,
+            Checked::Valid(Named::CubicSpline) => Interpolation::CubicSpline,
             Checked::Invalid => return None,
         };
         let times = accessors.numbers(number(sampler.input)).ok()?;

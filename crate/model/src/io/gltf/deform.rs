@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use glam::{DMat4, DVec3, Vec3};
-use gltf::json::mesh::{MorphTarget as Given, Primitive, Semantic};
+use gltf::json::mesh::{MorphTarget as TargetAccessors, Primitive, Semantic};
 use gltf::json::validation::Checked;
 use gltf::json::{Node, Root};
 
@@ -55,7 +55,7 @@ impl Vertices<'_> {
         let budget = accessors.buffers.budget;
         budget.take_items::<MorphTarget>(targets.len())?;
         budget.take_items::<f64>(weights.len())?;
-        let target = |(target, given): (usize, &Given)| {
+        let target = |(target, given): (usize, &TargetAccessors)| {
             if !change && weights.get(target).is_none_or(|&weight| weight == 0.0) {
                 return Ok(MorphTarget::default());
             }
