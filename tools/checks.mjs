@@ -29,7 +29,7 @@ export function lintTheRest() {
  * it builds on once more, which would take a tenth of the time of all tests.
  */
 export function lintWhileCompiling() {
-  process.env.RUSTC_WORKSPACE_WRAPPER = join(root, 'tools', 'lint.mjs');
+  process.env.RUSTC_WORKSPACE_WRAPPER = join(root, 'tools', 'lint.sh');
   // As `cargo clippy` hands arguments over.
   process.env.CLIPPY_ARGS = '-Dwarnings__CLIPPY_HACKERY__';
 }
