@@ -1,6 +1,8 @@
 // What every command is made of: named steps that say what they do and how long it took, and fail with one plain sentence.
 
-import { spawnSync } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
+import { mkdtempSync, openSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -36,6 +38,31 @@ export function attempt(saying, command, args, env = {}) {
   taken.push([saying, seconds]);
   console.log(`  (${clock(seconds)})`);
   return !error && status === 0;
+}
+
+/**
+ * Runs something beside the steps that follow. What it prints comes when it is waited for, by the function that is given back; if it
+ * has failed, `remedy` is said then.
+ */
+export function runBeside(saying, command, args, remedy, env = {}) {
+  const folder = mkdtempSync(join(tmpdir(), 'heatwalk-'));
+  const file = join(folder, 'printed');
+  const printed = openSync(file, 'w');
+  const child = spawn(command, args, {
+    cwd: root,
+    stdio: ['ignore', printed, printed],
+    env: { ...process.env, ...once, ...env },
+  });
+  const ended = new Promise((resolve) => {
+    child.on('error', () => resolve(1)).on('exit', resolve);
+  });
+  return async () => {
+    console.log(`\n— ${saying}`);
+    const status = await ended;
+    process.stdout.write(readFileSync(file));
+    rmSync(folder, { recursive: true });
+    if (status !== 0) fail(`${saying}: failed. ${remedy}`);
+  };
 }
 
 /** A program installed by npm. */

@@ -9,7 +9,7 @@ import { buildModules, bundle, bundleSingle, publishModules, TESTED_FILE, TESTED
 import { checkFormat, checkSpelling, lintPage, lintWhileCompiling } from './checks.mjs';
 import { findFirefox, findMesa, findShell, findWebKit, hasSoftwareVulkan, prepare, requireChromium } from './needs.mjs';
 import { findReaders } from './peers.mjs';
-import { cargo, npmProgram, output, printTimes, root } from './steps.mjs';
+import { cargo, npmProgram, output, printTimes, root, runBeside } from './steps.mjs';
 
 const named = 'The message above names the test.';
 const PLAYWRIGHT = '@playwright/test/cli.js';
@@ -55,9 +55,12 @@ if (isSlow) {
     ['test', ...most, '--all-targets', '--no-run'],
     'The message above names the place.',
   );
-  cargo('Running the Rust tests', ['test', ...most, '--lib', '--bins', '--tests', ...all], named, gpu);
+  // One core has nothing to do at times: some programs of tests have one that takes longest, others count what is allocated.
+  const examples = 'Building the documentation of Rust and running its examples';
   const documented = { RUSTDOC: join(root, 'tools', 'rustdoc.mjs') };
-  cargo('Building the documentation of Rust and running its examples', ['test', ...most, '--doc'], named, documented);
+  const hasDocumentation = runBeside(examples, 'cargo', ['test', ...most, '--doc'], named, documented);
+  cargo('Running the Rust tests', ['test', ...most, '--lib', '--bins', '--tests', ...all], named, gpu);
+  await hasDocumentation();
   cargo('Running the tests of the build steps', ['test', '--package', 'xtask'], named);
   cargo("Running the solver's tests on wasm32", ['xtask', 'test-wasm'], named);
   testPage();
