@@ -7,7 +7,7 @@ import { prepare, requireDeny } from './needs.mjs';
 import { attempt, run } from './steps.mjs';
 
 prepare();
-lint(buildModules);
+await lint(buildModules);
 lintTheRest();
 
 const deny = requireDeny();

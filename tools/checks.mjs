@@ -2,7 +2,7 @@
 
 import { join } from 'node:path';
 import { requireTypos } from './needs.mjs';
-import { cargo, npmProgram, root, run } from './steps.mjs';
+import { cargo, npmProgram, root, run, runBeside } from './steps.mjs';
 
 const named = 'The message above names the place.';
 const cut = 'One of the arrows above has to go: what both sides need belongs below both.';
@@ -10,10 +10,10 @@ const cut = 'One of the arrows above has to go: what both sides need belongs bel
 const UNDOCUMENTED = ['worker', 'reader', 'maker', 'interior'].flatMap((name) => ['--exclude', `heatwalk-${name}`]);
 
 /** Format, lints, types and cycles of Rust and TypeScript; `modules` builds those of wasm, with which the types of bindings come. */
-export function lint(modules) {
+export async function lint(modules) {
   checkFormat();
   cargo('Linting Rust', ['clippy', '--workspace', '--all-targets', '--', '-Dwarnings'], named);
-  lintPage(modules);
+  await lintPage(modules);
 }
 
 /** What is left to check: code for wasm32 alone, documentation, spelling. */
@@ -39,14 +39,16 @@ export function checkFormat() {
 }
 
 /** Types, lints, format and cycles of TypeScript, and cycles of Rust. */
-export function lintPage(modules) {
+export async function lintPage(modules) {
+  const prettier = [join(root, 'node_modules', 'prettier', 'bin', 'prettier.cjs'), '--check', '--cache', '.'];
+  const remedy = 'Run: npx prettier --write .';
+  const isFormatted = runBeside('Checking the format of the rest', process.execPath, prettier, remedy);
   cargo('Looking for cycles of Rust modules', ['xtask', 'cycles'], cut);
   modules();
   npmProgram('Checking types', 'typescript/bin/tsc', ['--build'], named);
   npmProgram('Linting TypeScript', 'oxlint/bin/oxlint', ['--deny-warnings', 'web', 'tests', 'tools'], named);
   run("Looking for cycles of the page's files and folders", process.execPath, [join(root, 'tools', 'cycles.mjs')], cut);
-  const format = ['--check', '--cache', '.'];
-  npmProgram('Checking the format of the rest', 'prettier/bin/prettier.cjs', format, 'Run: npx prettier --write .');
+  await isFormatted();
 }
 
 export function checkSpelling() {

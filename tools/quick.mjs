@@ -9,7 +9,7 @@ import { cargo, npmProgram, output, printTimes } from './steps.mjs';
 const named = 'The message above names the test.';
 
 prepare();
-lint(buildModules);
+await lint(buildModules);
 npmProgram('Running the unit tests of the page', '@playwright/test/cli.js', ['test', '--project=unit'], named);
 const changed = changedPackages();
 if (changed.length > 0) {

@@ -2,7 +2,7 @@
 
 import { spawn, spawnSync } from 'node:child_process';
 import { mkdtempSync, openSync, readFileSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { constants, setPriority, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -41,8 +41,8 @@ export function attempt(saying, command, args, env = {}) {
 }
 
 /**
- * Runs something beside the steps that follow. What it prints comes when it is waited for, by the function that is given back; if it
- * has failed, `remedy` is said then.
+ * Runs something beside the steps that follow, in the time that these leave. What it prints comes when it is waited for, by the
+ * function that is given back; if it has failed, `remedy` is said then.
  */
 export function runBeside(saying, command, args, remedy, env = {}) {
   const folder = mkdtempSync(join(tmpdir(), 'heatwalk-'));
@@ -53,6 +53,7 @@ export function runBeside(saying, command, args, remedy, env = {}) {
     stdio: ['ignore', printed, printed],
     env: { ...process.env, ...once, ...env },
   });
+  if (child.pid !== undefined) setPriority(child.pid, constants.priority.PRIORITY_LOW);
   const ended = new Promise((resolve) => {
     child.on('error', () => resolve(1)).on('exit', resolve);
   });

@@ -49,7 +49,7 @@ if (isSlow) {
   lintWhileCompiling();
   checkFormat();
   checkSpelling();
-  lintPage(buildModules);
+  await lintPage(buildModules);
   cargo(
     'Compiling and linting Rust',
     ['test', ...most, '--all-targets', '--no-run'],
