@@ -238,8 +238,11 @@ expose(
 );
 void first.promise.then(() => over.load());
 first.promise
-  .then(() => import('./ui/overlay/hints'))
-  .then(({ showHints }) => showHints(hint, session, tool))
+  .then(async () => {
+    const { state } = scene;
+    const { showHints } = await import('./ui/overlay/hints');
+    showHints(hint, session, tool, state);
+  })
   .catch(fail);
 first.promise
   .then(() => import('./session/entries'))

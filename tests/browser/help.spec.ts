@@ -1,4 +1,5 @@
 /** Help where it is needed: keys and gestures, a line on every setting, the documents, the first hints. */
+import type { Route } from '@playwright/test';
 import { violations } from '../axe';
 import { expect, openSection, test } from '../page';
 
@@ -130,4 +131,18 @@ test('hints follow what the hand does, and are not told again', async ({ heatwal
   await page.mouse.click(...(await heatwalk.pixelOnModel(0.08, 0.05)));
   await page.keyboard.up('Alt');
   await expect(hint).toBeHidden();
+});
+
+test('what the hand has done before hints have come needs none', async ({ heatwalk, page }) => {
+  const held: Route[] = [];
+  await page.route('**/assets/hints-*.js', (route) => {
+    held.push(route);
+  });
+  const asked = page.waitForRequest('**/assets/hints-*.js');
+  await heatwalk.open();
+  await asked;
+  await page.mouse.click(...(await heatwalk.pixelOnModel()));
+  await expect.poll(async () => 'face' in (await heatwalk.scene()).sources[0]).toBe(true);
+  for (const route of held) await route.continue();
+  await expect(page.locator('.hint')).toContainText('Drag the pin');
 });

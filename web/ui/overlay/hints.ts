@@ -48,8 +48,8 @@ const HINTS: readonly Hint[] = [
 /** Tools with which a click does what hints say. */
 const TOOLS: ReadonlySet<Tool> = new Set(['source', 'add']);
 
-/** Shows the hints in an element. */
-export function showHints(element: HTMLElement, session: Session, tool: Signal<Tool>): void {
+/** Shows the hints in an element. `before`: the scene of the first picture, since which the hand may have done something. */
+export function showHints(element: HTMLElement, session: Session, tool: Signal<Tool>, before: SceneState): void {
   const byTouch = matchMedia('(pointer: coarse)').matches;
   const text = h('span', { 'aria-live': 'polite' });
   const close = h(
@@ -71,13 +71,15 @@ export function showHints(element: HTMLElement, session: Session, tool: Signal<T
     remember(MEMORY, String(known));
     show();
   };
-  tool.watch(show);
-  session.scene.subscribe((state, previous) => {
+  const follow = (state: SceneState, previous: SceneState) => {
     // Another mesh brings places of its own.
     const isSame = state.mesh === previous.mesh;
     // What the hand can do already needs no hint either.
     const done = isSame ? HINTS.findLastIndex(({ isDone }) => isDone(state, previous, session.dragging)) : -1;
     if (done >= known) turn(done + 1);
     else show();
-  });
+  };
+  tool.watch(show);
+  session.scene.subscribe(follow);
+  follow(session.scene.state, before);
 }
