@@ -10,8 +10,8 @@ use crate::common::truth::Random;
 use crate::common::{nearest, surface};
 use glam::DVec3;
 use heatwalk::{
-    Costs, DistanceOptions, DistanceSolver, FaceId, Method, PathKind, Place, VertexId, descend, go_on, refract,
-    straighten,
+    Costs, DistanceOptions, DistanceSolver, FaceId, Method, PathKind, Place, Surface, VertexId, descend, go_on,
+    refract, straighten,
 };
 use heatwalk_shapes::{icosphere, torus};
 
@@ -89,28 +89,29 @@ fn random_costs_break_no_path() {
     assert!(costs.of(FaceId(0)) > 0.0);
 }
 
-#[test]
-fn paths_cost_what_the_distance_says() {
-    let ball = Arc::new(surface(&icosphere(4)));
-    let mut random = Random::new(3);
+/// A sphere, split so often, with a cost of 1 to 10 on each face at random, and its solver.
+fn ball_of_costs(splits: u32, seed: u64) -> (Arc<Surface>, DistanceSolver) {
+    let ball = Arc::new(surface(&icosphere(splits)));
+    let mut random = Random::new(seed);
     let of_face = (0..ball.face_count()).map(|_| random.between(1.0, 10.0));
     let costs = Costs::new(&ball, of_face.collect()).expect("in range");
-    let mut solver = DistanceSolver::new(Arc::clone(&ball)).weighted(costs.clone());
+    (Arc::clone(&ball), DistanceSolver::new(ball).weighted(costs))
+}
+
+#[test]
+fn paths_cost_what_the_distance_says() {
+    let (_, mut solver) = ball_of_costs(4, 3);
     let answer = solver.distance(&[VertexId(3)], &DistanceOptions::default(), &mut go_on).expect("a source");
     for from in (10..2560).step_by(25).map(VertexId) {
         let path = solver.path(&answer, from, PathKind::Straightened).expect("connected");
-        let [cost, distance] = [costs.of_path(&ball, &path), answer.distance.values[from]];
+        let [cost, distance] = [solver.cost_of(&path), answer.distance.values[from]];
         assert!(cost < 1.02 * distance, "{cost} for {distance} from {from:?}");
     }
 }
 
 #[test]
 fn the_distance_at_a_place_is_that_along_the_path_from_there() {
-    let ball = Arc::new(surface(&icosphere(3)));
-    let mut random = Random::new(4);
-    let of_face = (0..ball.face_count()).map(|_| random.between(1.0, 10.0));
-    let costs = Costs::new(&ball, of_face.collect()).expect("in range");
-    let mut solver = DistanceSolver::new(Arc::clone(&ball)).weighted(costs);
+    let (ball, mut solver) = ball_of_costs(3, 4);
     let sources =
         [(VertexId(3), 0.5), (VertexId(400), 2.0)].map(|source| ball.source(source.0, source.1).expect("a source"));
     let ask = |solver: &mut DistanceSolver, method| {
