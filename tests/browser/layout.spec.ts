@@ -127,28 +127,42 @@ test.describe('on a phone', () => {
   });
 });
 
-test('in no window does a message lie over the hint or the tools', async ({ heatwalk, page }) => {
+test('what was opened is said below the model, over no tool, and beside the hint or before it', async ({
+  heatwalk,
+  page,
+}) => {
   await heatwalk.open('#v=1&m=hemisphere');
   await heatwalk.settled();
-  await expect(page.locator('.hint')).toBeVisible();
+  const [message, hint, tools] = ['.message.summary', '.hint', '.toolbar'].map((part) => page.locator(part));
+  // It stays while something of it has the focus.
+  await page.getByRole('button', { name: 'Close the message' }).focus();
   for (const [width, height] of [
+    [1800, 900],
     [1400, 900],
     [1290, 700],
+    [1120, 700],
     [1000, 700],
     [972, 600],
     [960, 600],
     [720, 900],
   ] as const) {
     await page.setViewportSize({ width, height });
-    const [message, hint, tools] = await Promise.all(
-      ['.message.summary', '.hint', '.toolbar'].map((part) => page.locator(part).boundingBox()),
-    );
-    if (!message || !hint || !tools) throw new Error('something is not there');
-    for (const other of [hint, tools]) {
-      const isBeside = message.x + message.width <= other.x || other.x + other.width <= message.x;
-      expect(isBeside || message.y + message.height <= other.y, `${width} × ${height}`).toBe(true);
+    const [said, below] = [await message.boundingBox(), await tools.boundingBox()];
+    if (!said || !below) throw new Error('something is not there');
+    const shown = (await hint.isVisible()) ? await hint.boundingBox() : null;
+    expect(shown !== null, `the hint at ${width} × ${height}`).toBe(width >= 1120);
+    for (const other of shown ? [shown, below] : [below]) {
+      const isBeside = said.x + said.width <= other.x || other.x + other.width <= said.x;
+      expect(isBeside || said.y + said.height <= other.y, `${width} × ${height}`).toBe(true);
     }
+    const foot = await page.evaluate(() => 2 * window.heatwalk.centre[1]);
+    const heading = await page.locator('.heading').boundingBox();
+    // In the narrowest it takes two lines.
+    const least = foot - (heading?.y ?? 0) - (heading?.height ?? 0) - (width < 960 ? 40 : 0);
+    expect(said.y, `${width} × ${height}`).toBeGreaterThanOrEqual(least);
   }
+  await page.keyboard.press('Enter');
+  await expect(hint).toBeVisible();
 });
 
 test('a window of another shape shows as much of the model', async ({ heatwalk, page }) => {
