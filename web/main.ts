@@ -84,13 +84,16 @@ const comparing = new CompareSection(session);
 const draw = new DrawInput(session, tool);
 const over = new Stage(session, () => frames.cameraMoved());
 const corners = new LineCorners(session, draw);
-const frames = new Frames(session, crowd, () => {
-  handle.follow();
-  comparing.follow();
-  measuring.follow();
-  corners.follow();
-  over.follow();
-  readout.follow();
+const frames = new Frames(session, crowd, {
+  drawn: () => {
+    handle.follow();
+    comparing.follow();
+    measuring.follow();
+    corners.follow();
+    over.follow();
+    readout.follow();
+  },
+  rested: () => pointer.look(),
 });
 const cameraMoved = () => frames.cameraMoved();
 const fail = session.fail.bind(session);
@@ -122,7 +125,8 @@ const putAway = () => {
   if (home && home !== workspace.value && home !== pinned.value) tool.value = 'source';
 };
 for (const each of [workspace, pinned]) each.watch(putAway);
-new PointerInput({ session, readout, tool, brush, measure, draw, cameraMoved }).listen();
+const pointer = new PointerInput({ session, readout, tool, brush, measure, draw, cameraMoved });
+pointer.listen();
 const commands = commandsOf({
   session,
   opener,

@@ -240,6 +240,21 @@ test('the readout is of what is under the pointer after the camera has moved, to
   await expect.poll(shown).toBe(after);
 });
 
+test('the readout is there once the camera has flown to another model under a resting pointer', async ({
+  heatwalk,
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
+  await heatwalk.open('#v=1&m=bunny&method=heat&refine=0');
+  await page.mouse.move(...(await page.evaluate(() => window.heatwalk.centre)));
+  await page.mouse.wheel(0, -300);
+  await heatwalk.rest();
+  const near = await page.evaluate(() => window.heatwalk.camera?.[2]);
+  await heatwalk.follow('#v=1&m=teapot&method=heat&refine=0');
+  expect(await page.evaluate(() => window.heatwalk.camera?.[2])).not.toBe(near);
+  await expect(page.locator('.readout')).toBeVisible();
+});
+
 test('the keyboard sets, adds and deletes sources at the reticle', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await page.locator('.stage').focus();

@@ -14,10 +14,17 @@ const LONGEST_STEP = 0.25;
  */
 const SLOW_MS = 80;
 
+interface Listener {
+  /** After each frame that was drawn. */
+  drawn(): void;
+  /** The camera has come to rest, whoever moved it. */
+  rested(): void;
+}
+
 export class Frames {
   readonly #session: Session;
   readonly #crowd: CrowdWalk;
-  readonly #drawn: () => void;
+  readonly #listener: Listener;
   readonly #resolution = new Resolution();
   #last = performance.now();
   /** Whether the last frame was drawn. */
@@ -33,12 +40,14 @@ export class Frames {
   #isHeld = false;
   /** Where the camera was a frame ago, while a camera move still settles. */
   #settling: string | null = null;
+  /** The same of any move, by whom ever. */
+  #place = '';
+  #isMoving = false;
 
-  /** `drawn` is called after each frame that was drawn. */
-  constructor(session: Session, crowd: CrowdWalk, drawn: () => void) {
+  constructor(session: Session, crowd: CrowdWalk, listener: Listener) {
     this.#session = session;
     this.#crowd = crowd;
-    this.#drawn = drawn;
+    this.#listener = listener;
     session.preview.watch((preview, before) => {
       // What was moved in front of a mesh that was not opened belongs to no scene.
       if (!preview && before && session.shown.value?.opened !== before.opened) this.#settling = null;
@@ -76,12 +85,13 @@ export class Frames {
     this.#session.animate(seconds);
     await this.#crowd.settled();
     await until(() => isSameMoment(pose.value, animator.moment.value) || failure.value !== null, pose, failure);
-    if (view.render(0)) this.#drawn();
+    if (view.render(0)) this.#listener.drawn();
   }
 
   /** The user moved the camera: once at rest it belongs to the scene. */
   cameraMoved(): void {
     this.#settling = '';
+    this.#isMoving = true;
   }
 
   #frame(now: number): void {
@@ -108,8 +118,19 @@ export class Frames {
     const waits = this.#waited && this.#session.dragging;
     this.#session.view.adapt(this.#resolution.share);
     this.#drew = !waits && this.#session.view.render(step(passed));
-    if (this.#drew) this.#drawn();
+    if (this.#drew) this.#listener.drawn();
     if (this.#settling !== null && !this.#session.preview.value) this.#settle();
+    this.#followCamera();
+  }
+
+  #followCamera(): void {
+    const place = String(this.#session.view.camera);
+    if (place !== this.#place) this.#isMoving = true;
+    else if (this.#isMoving) {
+      this.#isMoving = false;
+      this.#listener.rested();
+    }
+    this.#place = place;
   }
 
   /** Once, though it may go wrong in every frame. */

@@ -73,11 +73,7 @@ export class PointerInput {
     stage.addEventListener('contextmenu', (event) => event.preventDefault());
     listenToWheel(stage, session.view, cameraMoved);
     // A field that arrives under a resting pointer changes the readout.
-    session.shown.watch(() => this.#showHover());
-    // And so does a camera that has come to rest.
-    session.scene.subscribe(({ camera }, previous) => {
-      if (camera !== previous.camera) this.#showHover();
-    });
+    session.shown.watch(() => this.look());
   }
 
   #down(event: PointerEvent): void {
@@ -121,7 +117,7 @@ export class PointerInput {
     const before = this.#pointers.get(event.pointerId);
     if (!before || !this.#press) {
       this.#hover = event;
-      this.#showHover();
+      this.look();
       return;
     }
     const press = this.#press;
@@ -253,7 +249,8 @@ export class PointerInput {
     return true;
   }
 
-  #showHover(): void {
+  /** Says anew what is under a resting pointer: something else, or seen from elsewhere. */
+  look(): void {
     const event = this.#hover;
     if (!event || this.#press || event.pointerType === 'touch') return;
     const { session, readout } = this.#o;
