@@ -40,7 +40,8 @@ export default defineConfig({
   forbidOnly: true,
   // Pictures are drawn by the processor here, in all cores: two browsers at once take four fifths of the time, and more gain nothing.
   workers: 2,
-  timeout: 90_000,
+  // Whatever hangs: what takes longest needs half of it with both cores kept busy beside.
+  timeout: 180_000,
   expect: { timeout: 20_000 },
   reporter: [['list']],
   use: {

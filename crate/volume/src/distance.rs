@@ -60,7 +60,8 @@ pub struct VolumeDistance {
     pub method: VolumeMethod,
     /// The sources, checked.
     pub sources: Vec<TetPoint>,
-    /// Values below this were found by the march; infinity when all were.
+    /// Values below this were found by the march; infinity when all were. Those above are by heat or, where the march would have taken
+    /// more than some 4,000 steps a tetrahedron, ways along edges from those below.
     pub exact_below: f64,
     /// The distances that the sources start from.
     pub(crate) initial_distances: Vec<f64>,

@@ -147,9 +147,10 @@ impl VolumeSolver {
             }
             _ => {
                 let march = March::new(mesh, medium, &sources);
-                let (values, origins) = march.within(self.measured.scaled(options.max_distance));
-                distance.values = values;
-                distance.origins = Some(origins);
+                let found = march.within(self.measured.scaled(options.max_distance));
+                distance.values = found.distances;
+                distance.exact_below = found.exact_below;
+                distance.origins = Some(found.origins);
             }
         }
         Ok(self.measured.outside(distance))

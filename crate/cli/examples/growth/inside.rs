@@ -1,7 +1,9 @@
 //! Tetrahedra of hostile form, and what is done with them.
 
+use std::f64::consts::TAU;
+
 use anyhow::{Context, Result};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use heatwalk::VertexId;
 use heatwalk_volume::io::{self, write};
 use heatwalk_volume::{TetMesh, TetPoint, TetSoup, VolumeMethod, VolumeOptions, VolumeSolver, shapes};
@@ -12,11 +14,14 @@ use crate::{Operation, does};
 /// A form by its name, of about so many tetrahedra.
 pub type Family = (&'static str, fn(usize) -> TetSoup);
 
-pub const FAMILIES: [Family; 4] = [
+pub const FAMILIES: [Family; 7] = [
     ("cube of tetrahedra", |count| shapes::cube((count as f64 / 6.0).cbrt().ceil() as usize, 0.2)),
     ("tetrahedra around an edge", around_edge),
     ("tetrahedra around a vertex", around_vertex),
-    ("slices", slices),
+    ("slices", |count| twisted_slices(count, 0.0)),
+    ("three quarters around an edge", three_quarters),
+    ("waves around a vertex", waves_around_vertex),
+    ("twisted slices", |count| twisted_slices(count, 3.0 * TAU)),
 ];
 
 fn around_edge(count: usize) -> TetSoup {
@@ -35,12 +40,33 @@ fn around_vertex(count: usize) -> TetSoup {
     TetSoup { positions: rim.positions, tetrahedra }
 }
 
-/// A prism cut across into flat ones, of three tetrahedra each.
-fn slices(count: usize) -> TetSoup {
+/// The edge is one that paths bend around.
+fn three_quarters(count: usize) -> TetSoup {
+    let on_circle = |corner: usize| {
+        let (y, x) = (0.75 * TAU * corner as f64 / count as f64).sin_cos();
+        DVec3::new(x, y, 0.0)
+    };
+    let positions = (0..=count).map(on_circle).chain([DVec3::Z, DVec3::NEG_Z]).collect();
+    let [above, below] = [1, 2].map(|after| (count + after) as u32);
+    let tetrahedra = (0..count as u32).map(|corner| [below, above, corner, corner + 1]).collect();
+    TetSoup { positions, tetrahedra }
+}
+
+/// The rim goes up and down, so that paths bend around its lower corners.
+fn waves_around_vertex(count: usize) -> TetSoup {
+    let mut soup = around_vertex(count);
+    let corners = soup.positions.len() - 3;
+    soup.positions[1..=corners].iter_mut().step_by(2).for_each(|place| *place *= 0.5);
+    soup
+}
+
+/// A prism that turns by so much, in radians, cut across into flat ones, of three tetrahedra each.
+fn twisted_slices(count: usize, turn: f64) -> TetSoup {
     let slices = count as u32 / 3;
     let positions = (0..=slices).flat_map(|slice| {
         let z = f64::from(slice) / f64::from(slices);
-        [DVec3::new(0.0, 0.0, z), DVec3::new(1.0, 0.0, z), DVec3::new(0.0, 1.0, z)]
+        let turned = DMat3::from_rotation_z(turn * z);
+        [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| turned * corner + z * DVec3::Z)
     });
     let tetrahedra = (0..slices).flat_map(|slice| {
         let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(|k| 3 * slice + k);

@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 use super::commands::{build, prepare, push_mesh};
 use super::input::{Input, along, refuse, source, volume_options};
 use crate::args::Distance;
+use crate::complaint::complain;
 use crate::output::{Columns, Output};
 use crate::report::{Report, milliseconds, object};
 
@@ -71,6 +72,7 @@ fn together(
     let start = Instant::now();
     let answer = solver.distance(sources, options)?;
     let solve_ms = milliseconds(start);
+    warn(&answer);
     let values = of_inputs(solver.mesh(), &answer);
     said.extend(facts(&answer, &values));
     if arguments.compare {
@@ -92,12 +94,23 @@ fn each(
         let start = Instant::now();
         let answer = solver.distance(&[source], options).with_context(|| format!("source {number}"))?;
         solve_ms += milliseconds(start);
+        warn(&answer);
         let values = of_inputs(solver.mesh(), &answer);
         answers.push(object(facts(&answer, &values)));
         columns.push((format!("distance_{number}"), values));
     }
     said.push("each", answers);
     Ok((columns, solve_ms))
+}
+
+/// Tells of a march that would have been too much work.
+fn warn(answer: &VolumeDistance) {
+    if answer.method == VolumeMethod::March && answer.exact_below < f64::INFINITY {
+        let below = answer.exact_below;
+        complain(&format!(
+            "warning: too much is in the way of straight lines; distances above {below} are ways along edges"
+        ));
+    }
 }
 
 /// What is to be told of an answer, whose values are `of_inputs`.

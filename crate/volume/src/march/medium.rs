@@ -11,6 +11,9 @@ use crate::mesh::locate::{GRAZING, weights};
 use crate::mesh::quality::dihedral_angles;
 use crate::mesh::{Crossing, EDGES, FACES, NONE, Sight, Start, TetId, TetMesh};
 
+/// So many tetrahedra around a place, looked at for a line that begins there or for what is refracted, count as a face that is passed.
+pub(super) const AROUND: usize = 64;
+
 /// Costs of tetrahedra that are not walls.
 pub const COSTS: RangeInclusive<f64> = 1e-3..=1e3;
 
@@ -149,7 +152,14 @@ impl Medium {
 
     /// Whether the straight line between two places stays in tetrahedra of the cost at the first, and ends on the second one's side of a crack,
     /// where that has vertices of equal position on both sides.
-    pub(crate) fn sees(&self, mesh: &TetMesh, [a, b]: [Corner; 2]) -> bool {
+    pub(crate) fn sees(&self, mesh: &TetMesh, ends: [Corner; 2]) -> bool {
+        self.sees_in(mesh, ends, &mut 0)
+    }
+
+    /// The same; adds the faces that were passed to `passed`.
+    pub(super) fn sees_in(&self, mesh: &TetMesh, [a, b]: [Corner; 2], passed: &mut usize) -> bool {
+        let sight = self.sight(mesh);
+        *passed += 1 + (sight.around(a.start) + sight.around(b.start)) / AROUND;
         let may_enter = |tetrahedron: u32| self.cost(tetrahedron) == a.cost;
         let are_in_one = || {
             let of_b = self.touching(mesh, b);
@@ -158,7 +168,11 @@ impl Medium {
         // A line along a crack may be followed on one side of it alone, but it comes from both.
         are_in_one()
             || [[a, b], [b, a]].into_iter().any(|[from, to]| {
-                let end = self.sight(mesh).walk(from.start, [from.place, to.place], may_enter, |_| Crossing::On);
+                let crossing = |_| {
+                    *passed += 1;
+                    Crossing::On
+                };
+                let end = sight.walk(from.start, [from.place, to.place], may_enter, crossing);
                 end.is_some_and(|end| self.touches(mesh, end, to))
             })
     }

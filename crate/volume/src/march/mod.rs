@@ -41,14 +41,12 @@ pub(crate) enum March<'a> {
 impl<'a> March<'a> {
     /// From sources that were checked.
     pub(crate) fn new(mesh: &'a TetMesh, medium: &'a Medium, sources: &[TetSource]) -> Self {
-        match medium.nodes() {
-            None => {
-                let mut search = Search::new(mesh, medium);
-                sources.iter().for_each(|source| search.start(source));
-                Self::Waves(search)
-            }
-            Some(nodes) => Self::Sights(Sights::new(mesh, medium, nodes, sources)),
+        if let Some(sights) = medium.nodes().and_then(|nodes| Sights::new(mesh, medium, nodes, sources)) {
+            return Self::Sights(sights);
         }
+        let mut search = Search::new(mesh, medium);
+        sources.iter().for_each(|source| search.start(source));
+        Self::Waves(search)
     }
 
     /// Goes on until every distance below `radius` is final, or so much work is done: about that of so many faces that straight lines
@@ -60,14 +58,30 @@ impl<'a> March<'a> {
         }
     }
 
-    /// The distances (`#V`) that are at most `most`, infinite elsewhere, and what they come from.
-    pub(crate) fn within(mut self, most: f64) -> (Vec<f64>, Origins) {
+    /// The distances that are at most `most`, infinite elsewhere, and what they come from.
+    pub(crate) fn within(self, most: f64) -> Found {
+        // What riddled meshes take is bounded by their nodes.
+        let work = if let Self::Waves(search) = &self { search.most_work } else { usize::MAX };
+        self.within_work(most, work)
+    }
+
+    fn within_work(mut self, most: f64, work: usize) -> Found {
         // Paths over nodes are longer than what they are pulled to, by how much is not known.
         let radius = if matches!(self, Self::Waves(_)) { most.next_up() } else { f64::INFINITY };
-        self.advance(radius, usize::MAX);
-        let (mut distances, origins) = self.finish();
+        let reached = self.advance(radius, work);
+        if let (Self::Waves(search), true) = (&mut self, reached < radius) {
+            search.end_along_edges();
+        }
+        let (mut distances, origins, is_pulled) = self.finish();
         distances.iter_mut().filter(|distance| **distance > most).for_each(|distance| *distance = f64::INFINITY);
-        (distances, origins)
+        let exact_below = if !is_pulled {
+            0.0
+        } else if reached < radius {
+            reached
+        } else {
+            f64::INFINITY
+        };
+        Found { distances, origins, exact_below }
     }
 
     /// The distances (`#V`).
@@ -75,18 +89,28 @@ impl<'a> March<'a> {
         self.finish().0
     }
 
-    /// The distances (`#V`) and the waves that they come from.
-    pub(crate) fn finish(self) -> (Vec<f64>, Origins) {
+    /// The distances (`#V`), what they come from, and whether paths were pulled where they are to be.
+    fn finish(self) -> (Vec<f64>, Origins, bool) {
         match self {
             Self::Waves(search) => {
-                (search.distances, Origins::Waves(Waves { waves: search.waves, of_vertex: search.wave_of }))
+                (search.distances, Origins::Waves(Waves { waves: search.waves, of_vertex: search.wave_of }), true)
             }
             Self::Sights(search) => {
-                let (distances, tree) = search.finish();
-                (distances, Origins::Sights(tree))
+                let (distances, tree, is_pulled) = search.finish();
+                (distances, Origins::Sights(tree), is_pulled)
             }
         }
     }
+}
+
+/// What a march has found.
+pub(crate) struct Found {
+    /// `#V`.
+    pub(crate) distances: Vec<f64>,
+    /// What they come from.
+    pub(crate) origins: Origins,
+    /// Those above are ways along edges, because the march would have been too much work; infinite where none is.
+    pub(crate) exact_below: f64,
 }
 
 /// Where distances come from.
@@ -178,5 +202,38 @@ impl Waves {
                 ray.from == place || sight.walk(start, [place, ray.from], may_enter, |_| Crossing::On).is_some();
             is_clear.then_some(Leg { to: ray.from, cost: wave.cost, start: wave.start_at(ray.from) })
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shapes;
+
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    #[test]
+    fn what_would_be_too_much_work_is_the_way_along_edges() {
+        let mesh = TetMesh::build(&shapes::cube(8, 0.2)).unwrap();
+        let medium = Medium::new(&mesh, None).unwrap();
+        let march = || March::new(&mesh, &medium, &[TetPoint::Vertex(VertexId(0)).into()]);
+        let (whole, some) = (march().within(f64::INFINITY), march().within_work(f64::INFINITY, 2000));
+        assert_eq!(whole.exact_below, f64::INFINITY);
+        let exact = some.distances.iter().filter(|distance| **distance < some.exact_below).count();
+        assert!((100..mesh.vertex_count() / 2).contains(&exact), "{exact}");
+        for (vertex, (&whole, &some_distance)) in (0..).zip(whole.distances.iter().zip(&some.distances)) {
+            if some_distance < some.exact_below {
+                assert_eq!(some_distance, whole);
+            } else {
+                assert!(some_distance >= whole, "{some_distance} {whole}");
+            }
+            for &other in mesh.adjacent().row(vertex) {
+                let [here, there] = [vertex, other].map(|end| mesh.positions()[end as usize]);
+                let along = some.distances[other as usize] + here.distance(there);
+                assert!(some_distance <= along * (1.0 + 1e-8), "{some_distance} {along}");
+            }
+        }
+        assert!(!some.origins.is_straight(VertexId(mesh.vertex_count() as u32 - 1)));
     }
 }

@@ -21,8 +21,8 @@ pub(super) struct Nodes {
     pub(super) corners: Vec<Corner>,
     /// Of each vertex, itself and the places on the edges that it is the first end of.
     pub(super) of_vertex: Lists,
-    /// Of each node, those that it sees among those tried; made by the first search.
-    pub(super) seen: OnceLock<Lists>,
+    /// Of each node, those that it sees among those tried; made by the first search, none where that would be too much work.
+    pub(super) seen: OnceLock<Option<Lists>>,
 }
 
 impl Nodes {

@@ -7,7 +7,7 @@ use std::collections::{BinaryHeap, HashMap};
 
 use glam::DVec3;
 
-use super::medium::Medium;
+use super::medium::{AROUND, Medium};
 use super::refraction::arrival;
 use super::wave::Wave;
 use crate::mesh::{NONE, TetMesh};
@@ -28,6 +28,10 @@ const REMEMBERED: usize = 4;
 const SETTLED: usize = 8;
 const COMPUTED: usize = 1;
 const OFFERED: usize = 1;
+
+/// Work for each tetrahedron, at most, and in all where the mesh is small: where most waves are in the way of something.
+const MOST_WORK: usize = 512;
+const LEAST_WORK: usize = 4_000_000;
 
 /// An offer: the distance as bits, which order as positive numbers do, vertex, wave.
 type Offer = Reverse<(u64, u32, u32)>;
@@ -51,6 +55,8 @@ pub(crate) struct Search<'a> {
     is_uniform: bool,
     /// Done so far, see [`super::March::advance`].
     work: usize,
+    /// How much is done at most; then all ends [along edges](Search::end_along_edges).
+    pub(super) most_work: usize,
 }
 
 impl<'a> Search<'a> {
@@ -69,6 +75,7 @@ impl<'a> Search<'a> {
             hidden: 0,
             is_uniform: medium.is_uniform(),
             work: 0,
+            most_work: (MOST_WORK * mesh.tetrahedron_count()).max(LEAST_WORK),
         }
     }
 
@@ -124,6 +131,26 @@ impl<'a> Search<'a> {
         self.offers.peek().map_or(f64::INFINITY, |&Reverse((distance, ..))| f64::from_bits(distance))
     }
 
+    /// Goes on along edges alone (Dijkstra 1959): one step for each edge, whatever is in the way of lines.
+    pub(super) fn end_along_edges(&mut self) {
+        self.offers.clear();
+        let mesh = self.mesh;
+        let known = (0..).zip(&self.distances).filter(|(_, distance)| distance.is_finite());
+        let mut queue: BinaryHeap<Reverse<(u64, u32)>> =
+            known.map(|(vertex, distance)| Reverse((distance.to_bits(), vertex))).collect();
+        while let Some(Reverse((bits, from))) = queue.pop() {
+            let distance = f64::from_bits(bits);
+            if distance > self.distances[from as usize] {
+                continue;
+            }
+            self.go_along_edges(from, mesh.adjacent().row(from), |search, vertex, through, wave| {
+                search.distances[vertex as usize] = through;
+                search.wave_of[vertex as usize] = wave;
+                queue.push(Reverse((through.to_bits(), vertex)));
+            });
+        }
+    }
+
     /// Accepts offers below `radius`, nearest first, until there are none or so much work is done.
     fn spread(&mut self, radius: f64, work: usize) {
         while self.front() < radius && self.work < work {
@@ -139,23 +166,30 @@ impl<'a> Search<'a> {
     /// Offers the ways along edges wherever the distances of an edge's ends differ by more than its length: where all waves offered
     /// to a vertex are in the shadow of something, and where tetrahedra touch in a vertex only.
     fn relax(&mut self) {
-        let (mesh, least) = (self.mesh, self.medium.least_cost());
+        let mesh = self.mesh;
         for from in std::mem::take(&mut self.settled) {
-            let (start, distance) = (mesh.positions()[from as usize], self.distances[from as usize]);
-            let mut wave = NONE;
-            for &vertex in mesh.adjacent().row(from) {
-                let length = start.distance(mesh.positions()[vertex as usize]);
-                let known = self.distances[vertex as usize] * (1.0 - GAIN);
-                if distance + least * length >= known {
-                    continue;
+            self.go_along_edges(from, mesh.adjacent().row(from), |search, vertex, _, wave| search.offer(wave, vertex));
+        }
+    }
+
+    /// Takes each neighbor of a vertex that is nearer along the edge than its distance says, with that and the wave from the vertex.
+    fn go_along_edges(&mut self, from: u32, neighbors: &[u32], mut take: impl FnMut(&mut Self, u32, f64, u32)) {
+        let (mesh, least) = (self.mesh, self.medium.least_cost());
+        let (start, distance) = (mesh.positions()[from as usize], self.distances[from as usize]);
+        let mut wave = NONE;
+        for &vertex in neighbors {
+            let length = start.distance(mesh.positions()[vertex as usize]);
+            let known = self.distances[vertex as usize] * (1.0 - GAIN);
+            if distance + least * length >= known {
+                continue;
+            }
+            let cost = self.least_cost_at([from, vertex]);
+            let through = distance + cost * length;
+            if through < known {
+                if wave == NONE || self.waves[wave as usize].cost != cost {
+                    wave = self.add_from(from, cost);
                 }
-                let cost = self.least_cost_at([from, vertex]);
-                if distance + cost * length < known {
-                    if wave == NONE || self.waves[wave as usize].cost != cost {
-                        wave = self.add_from(from, cost);
-                    }
-                    self.offer(wave, vertex);
-                }
+                take(self, vertex, through, wave);
             }
         }
     }
@@ -202,7 +236,7 @@ impl<'a> Search<'a> {
     fn bend(&mut self, vertex: u32, others: &[u32]) {
         self.send_from(vertex);
         for &other in others {
-            if self.distances[other as usize].is_finite() {
+            if self.work < self.most_work && self.distances[other as usize].is_finite() {
                 self.bend_around([vertex, other]);
             }
         }
@@ -300,7 +334,9 @@ impl<'a> Search<'a> {
     /// Offers distances through the tetrahedra around a vertex.
     fn refract(&mut self, vertex: u32) {
         let mesh = self.mesh;
-        for &tetrahedron in mesh.around().row(vertex) {
+        let around = mesh.around().row(vertex);
+        self.work += around.len() / AROUND;
+        for &tetrahedron in around {
             let cost = self.medium.cost(tetrahedron);
             if cost.is_infinite() {
                 continue;

@@ -8,7 +8,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::medium::Medium;
+use super::medium::{AROUND, Medium};
 use super::nodes::Nodes;
 use super::taut::{length_of, pull};
 use crate::corner::Corner;
@@ -23,26 +23,50 @@ const GAIN: f64 = 1e-12;
 /// others in between, and [pulling](pull) leaves those out. Where there are fewer nodes, all are tried.
 const TRIED: usize = 200;
 
+/// Faces that are passed for each node to see which of them see each other, at most, and in all where the mesh is small. Where that is not
+/// enough, lines go through many flat tetrahedra or along places of many, and waves, which stop earlier, come as far.
+const MOST_PASSED: usize = 8192;
+const LEAST_PASSED: usize = 16_000_000;
+
+/// Corners of all paths that are pulled, for each node, at most: each is looked at many times.
+const MOST_CORNERS: usize = 64;
+const LEAST_CORNERS: usize = 100_000;
+
 impl Nodes {
-    /// Of each node, those that it sees.
-    fn seen(&self, mesh: &TetMesh, medium: &Medium) -> &Lists {
-        self.seen.get_or_init(|| {
+    /// Of each node, those that it sees; none where that would be too much work.
+    pub(super) fn seen(&self, mesh: &TetMesh, medium: &Medium) -> Option<&Lists> {
+        let see = || {
+            let count = self.corners.len();
+            let most = (MOST_PASSED * count).max(LEAST_PASSED);
+            let mut passed = 0;
             let mut pairs: Vec<[u32; 2]> = Vec::new();
             let mut last = vec![NONE; mesh.vertex_count()];
-            for node in 0..self.corners.len() as u32 {
-                let near = self.near(mesh, medium, node, &mut last);
+            for node in 0..count as u32 {
+                let near = self.near(mesh, medium, node, &mut last, &mut passed);
                 pairs.extend(near.into_iter().map(|other| [node.min(other), node.max(other)]));
+                if passed > most {
+                    return None;
+                }
             }
             pairs.sort_unstable();
             pairs.dedup();
             // From the same end whichever asks.
-            pairs.retain(|&[a, b]| a != b && medium.sees(mesh, [a, b].map(|node| self.corners[node as usize])));
-            Lists::group(self.corners.len(), || pairs.iter().flat_map(|&[a, b]| [(a, b), (b, a)]))
-        })
+            let mut seen: Vec<[u32; 2]> = Vec::with_capacity(pairs.len());
+            for ends in pairs.into_iter().filter(|[a, b]| a != b) {
+                if medium.sees_in(mesh, ends.map(|node| self.corners[node as usize]), &mut passed) {
+                    seen.push(ends);
+                }
+                if passed > most {
+                    return None;
+                }
+            }
+            Some(Lists::group(count, || seen.iter().flat_map(|&[a, b]| [(a, b), (b, a)])))
+        };
+        self.seen.get_or_init(see).as_ref()
     }
 
-    /// The nodes that one is tried to see. `last` keeps for which node each vertex was last come to.
-    fn near(&self, mesh: &TetMesh, medium: &Medium, node: u32, last: &mut [u32]) -> Vec<u32> {
+    /// The nodes that one is tried to see. `last` keeps for which node each vertex was last come to; what is looked at counts as `passed`.
+    fn near(&self, mesh: &TetMesh, medium: &Medium, node: u32, last: &mut [u32], passed: &mut usize) -> Vec<u32> {
         let mut vertices = match self.corners[node as usize].start {
             Start::Edge(ends) => ends.to_vec(),
             _ => vec![node],
@@ -55,7 +79,9 @@ impl Nodes {
         while next < vertices.len() && (next < neighbors || near.len() < TRIED) {
             let vertex = vertices[next];
             near.extend(self.of_vertex.row(vertex));
-            for tetrahedron in medium.touching(mesh, self.corners[vertex as usize]) {
+            let touching = medium.touching(mesh, self.corners[vertex as usize]);
+            *passed += touching.len() / AROUND;
+            for tetrahedron in touching {
                 for other in mesh.tetrahedra()[tetrahedron as usize] {
                     if last[other as usize] != node {
                         last[other as usize] = node;
@@ -97,17 +123,18 @@ pub(crate) struct Tree {
 }
 
 impl<'a> Sights<'a> {
-    pub(super) fn new(mesh: &'a TetMesh, medium: &'a Medium, nodes: &'a Nodes, sources: &[TetSource]) -> Self {
+    /// None where it would be too much work.
+    pub(super) fn new(mesh: &'a TetMesh, medium: &'a Medium, nodes: &'a Nodes, sources: &[TetSource]) -> Option<Self> {
+        let seen = nodes.seen(mesh, medium)?;
         let count = nodes.corners.len();
         let tree =
             Tree { sources: sources.to_vec(), steps: vec![(f64::INFINITY, NONE); count], is_straight: Vec::new() };
         let (offers, is_final) = (BinaryHeap::new(), vec![false; count]);
-        let seen = nodes.seen(mesh, medium);
         let mut search = Self { mesh, medium, nodes, tree, seen, offers, is_final, work: 0 };
         for (by, source) in (count as u32..).zip(sources) {
             search.start(source, by);
         }
-        search
+        Some(search)
     }
 
     /// Offers the distance of a source that is a node, or of all nodes that see another one.
@@ -153,23 +180,42 @@ impl<'a> Sights<'a> {
         }
     }
 
-    /// The distances of vertices (`#V`), and the paths.
-    pub(super) fn finish(self) -> (Vec<f64>, Tree) {
+    /// The distances of vertices (`#V`), the paths, and whether the distances are those of pulled paths: not where that would be too much
+    /// work.
+    pub(super) fn finish(self) -> (Vec<f64>, Tree, bool) {
         let Self { mesh, medium, nodes, mut tree, is_final, .. } = self;
         for (step, _) in tree.steps.iter_mut().zip(is_final).filter(|&(_, is_final)| !is_final) {
             *step = (f64::INFINITY, NONE);
         }
-        let found = |(&from, &(distance, _)): (&Corner, &(f64, u32))| {
+        let steps = &tree.steps[..mesh.vertex_count()];
+        let is_pulled = tree.corners() <= (MOST_CORNERS * nodes.corners.len()).max(LEAST_CORNERS);
+        let found = |(&from, &(distance, by)): (&Corner, &(f64, u32))| {
+            if !is_pulled {
+                return (distance, by as usize >= nodes.corners.len());
+            }
             let path = distance.is_finite().then(|| tree.path(mesh, medium, nodes, from)).flatten();
             path.map_or((f64::INFINITY, false), |(distance, path)| (distance, path.len() <= 2))
         };
-        let (distances, is_straight) = nodes.corners[..mesh.vertex_count()].iter().zip(&tree.steps).map(found).unzip();
+        let (distances, is_straight) = nodes.corners[..steps.len()].iter().zip(steps).map(found).unzip();
         tree.is_straight = is_straight;
-        (distances, tree)
+        (distances, tree, is_pulled)
     }
 }
 
 impl Tree {
+    /// How many corners the paths of all nodes have together.
+    fn corners(&self) -> usize {
+        let mut order: Vec<u32> = (0..self.steps.len() as u32).collect();
+        order.retain(|&node| self.steps[node as usize].0.is_finite());
+        order.sort_unstable_by(|&a, &b| self.steps[a as usize].0.total_cmp(&self.steps[b as usize].0));
+        let mut corners = vec![0; self.steps.len()];
+        for node in order {
+            let (_, by) = self.steps[node as usize];
+            corners[node as usize] = 1 + corners.get(by as usize).copied().unwrap_or(0_usize);
+        }
+        corners.into_iter().sum()
+    }
+
     /// Whether a vertex has its distance straight from a source.
     pub(super) fn is_straight(&self, vertex: u32) -> bool {
         self.is_straight[vertex as usize]

@@ -121,6 +121,14 @@ impl Sight<'_> {
         self.first(start, to, may_enter).is_some()
     }
 
+    /// How many tetrahedra are looked at for that.
+    pub(crate) fn around(self, start: Start) -> usize {
+        match start {
+            Start::Inside(_) => 1,
+            Start::Vertex(vertex) | Start::Edge([vertex, _]) => self.mesh.around().row(vertex).len(),
+        }
+    }
+
     /// The tetrahedron that a line begins in.
     fn first(self, start: Start, to: DVec3, may_enter: impl Fn(u32) -> bool) -> Option<u32> {
         let [vertex, other] = match start {

@@ -69,9 +69,7 @@ pub(crate) fn find(mesh: &TetMesh, medium: &Medium, distance: &VolumeDistance, f
             Descent::Stuck => {
                 // Distance by heat may have a lowest place that is no source.
                 let sources: Vec<TetSource> = distance.sources.iter().map(|&source| source.into()).collect();
-                let mut march = March::new(mesh, medium, &sources);
-                march.advance(f64::INFINITY, usize::MAX);
-                let (_, origins) = march.finish();
+                let origins = March::new(mesh, medium, &sources).within(f64::INFINITY).origins;
                 if let Some(path) = origins.path(mesh, medium, from) {
                     corners = path;
                 } else if let Some(waves) = origins.waves() {

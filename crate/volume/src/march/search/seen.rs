@@ -1,6 +1,7 @@
 //! Whether waves come straight to vertices.
 
 use super::Search;
+use crate::march::medium::AROUND;
 use crate::march::wave::Wave;
 use crate::mesh::{Crossing, NONE, Start};
 
@@ -43,7 +44,10 @@ impl Search<'_> {
         let may_enter = |tetrahedron: u32| medium.cost(tetrahedron) == cost;
         let sight = medium.sight(mesh);
         // Most lines that are not seen would leave the mesh at once, seen from where they come from.
-        if self.waves[wave as usize].start_at(from).is_some_and(|start| !sight.leaves(start, place, may_enter)) {
+        let start = self.waves[wave as usize].start_at(from);
+        let ends = start.into_iter().chain([Start::Vertex(vertex)]);
+        self.work += ends.map(|end| sight.around(end)).sum::<usize>() / AROUND;
+        if start.is_some_and(|start| !sight.leaves(start, place, may_enter)) {
             return false;
         }
         // Where the other three corners of a tetrahedron see the source, so does all that is behind it, up to what is smaller than it.
