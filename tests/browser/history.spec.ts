@@ -124,6 +124,14 @@ test('a reload brings one’s own file back; recent files are opened again and e
   await meshName(page).toBe('ball.off');
   await page.goForward();
   await meshName(page).toBe(EGG_NAME);
+  // What has no source comes back without.
+  await page.evaluate(() => window.heatwalk.setSources([]));
+  await expect(page).toHaveURL(/name=an-egg[^&]*&.*s=none/);
+  await page.reload();
+  await page.waitForFunction(() => 'heatwalk' in window);
+  await page.evaluate(() => window.heatwalk.ready);
+  expect(await page.evaluate(() => window.heatwalk.mesh?.name)).toBe(EGG_NAME);
+  await sources(page).toEqual([]);
 
   await openMenu();
   await recent.getByRole('button', { name: 'ball.off' }).first().click();

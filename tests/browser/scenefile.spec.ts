@@ -27,7 +27,7 @@ async function state(heatwalk: HeatwalkPage): Promise<unknown> {
 }
 
 test('a scene is saved with its mesh, and opened again as it was', async ({ heatwalk, page }) => {
-  await heatwalk.openFile('grid.off', off(grid(N)), 'up=z&cam=0,1.5,2.6,0,0,0&method=auto&s=none&w=none&iso=0.25,');
+  await heatwalk.openFile('grid.off', off(grid(N)), 'up=z&cam=0,1.5,2.6,0,0,0&method=auto&w=none&iso=0.25,');
   // More sources than a link holds.
   const rows = Array.from(
     { length: 9000 },

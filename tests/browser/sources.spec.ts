@@ -152,7 +152,7 @@ test('a stroke is drawn by hand and closed where it began; a part by a click; a 
   page,
 }) => {
   await heatwalk.withoutLegend();
-  await heatwalk.openFile('grid.off', GRID, `${VIEW}&s=none&refine=0`);
+  await heatwalk.openFile('grid.off', GRID, `${VIEW}&refine=0`);
   await heatwalk.closeSummary();
   await page.getByRole('button', { name: 'Delete source 1' }).click();
   await expect(rows(heatwalk)).toHaveCount(0);

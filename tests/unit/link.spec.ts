@@ -263,11 +263,23 @@ test('a file name with special characters survives the link, with its hash', () 
 test('rounding happens once: a link made from a link is equal', () => {
   const state: SceneState = {
     ...START,
-    sources: [{ face: 5, weights: [1 / 3, 1 / 3, 1 / 3] }],
+    sources: [
+      { face: 5, weights: [1 / 3, 1 / 3, 1 / 3] },
+      // Each rounded by itself, they would miss 1, and be others once they are read.
+      { face: 6, weights: [0.50004, 0.25004, 0.24992] },
+    ],
     camera: [Math.PI, Math.E, Math.SQRT2, 1e-9, 0, 0],
   };
   const link = encodeLink(state, START);
-  expect(encodeLink(throughLink(state), START)).toBe(link);
+  const read = throughLink(state);
+  expect(encodeLink(read, START)).toBe(link);
+  expect(read.sources[1]).toEqual({ face: 6, weights: [0.5001, 0.25, 0.2499] });
+});
+
+test('that the sources of a file are still to be chosen is not that there are none', () => {
+  const start = emptyScene({ kind: 'file', name: 'cow.off', hash: '' });
+  expect(encodeLink(start, start)).not.toContain('s=');
+  expect(encodeLink({ ...start, sources: [] }, start)).toContain('&s=none');
 });
 
 test('unknown keys are ignored, and named', () => {

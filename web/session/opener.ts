@@ -14,7 +14,7 @@ import { HALVED, isWhole, WHOLE } from '../state/inside';
 import { type Decoded, decodeLink, isOpenedAlike, refusedBy, undoableOf } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
 import { emptyScene, type MeshReference, type SceneState, TRIANGLES } from '../state/scene';
-import type { SourceSet } from '../state/sources';
+import { type SourceSet, UNCHOSEN } from '../state/sources';
 import { MODEL_STYLE } from '../state/styles';
 import { AUTOMATIC, DEFAULT_WINDOWS, MESH_TOO_LARGE, TOO_MANY_WINDOWS, TRIANGLE_BYTES } from '../wasm/contract';
 import type { GroundEditor } from './ground';
@@ -63,7 +63,7 @@ const SAME_PLACE = 1e-4;
 const ANYWHERE = Infinity;
 
 /** What means nothing on a mesh whose vertices and triangles are counted otherwise. */
-const NO_PLACES = { sources: [], sets: [], walker: undefined, tapes: [], links: 0 } as const;
+const NO_PLACES = { sources: UNCHOSEN, sets: [], walker: undefined, tapes: [], links: 0 } as const;
 
 export class Opener {
   readonly #session: Session;
@@ -293,6 +293,11 @@ export class Opener {
     const inside = wanted === null ? WHOLE : isWhole(state.inside) ? HALVED : state.inside;
     const method = state.fill === null && wanted !== null ? 'auto' : state.method;
     await this.#carried({ ...state, ...NO_PLACES, fill: wanted, inside, method, ground: LEVEL }, ANYWHERE);
+    if (isPainted(state.ground) && this.#session.scene.state.ground === LEVEL) {
+      this.#notifier.notice(
+        t('Costs and walls of the triangles before are not those of others: Back brings them back.'),
+      );
+    }
   }
 
   /** What can be done when a question to the mesh on screen has failed. */

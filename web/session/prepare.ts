@@ -7,7 +7,7 @@ import { Cancelled } from '../solver/remote';
 import { fits, LEVEL } from '../state/ground';
 import { Places } from '../state/places';
 import { type Animation, isRefined, type SceneState, STILL } from '../state/scene';
-import { allSources } from '../state/sources';
+import { allSources, UNCHOSEN } from '../state/sources';
 import { MODEL_STYLE } from '../state/styles';
 import { reducedMotion } from '../view/motion';
 import { AUTOMATIC } from '../wasm/contract';
@@ -96,12 +96,13 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   const placed = await (request.transfer ? request.transfer(mesh) : placedOn(mesh, request.state));
   let { sources, walker } = placed;
   const { sets, tapes } = placed;
-  const isWithout = request.choosePlaces && sources.length + sets.length === 0;
+  const { sources: wanted } = request.state;
+  const isChosen = wanted.length === 0 && wanted !== UNCHOSEN;
+  const isWithout = request.choosePlaces && !isChosen && sources.length + sets.length === 0;
   const { inputVertices, faces: triangles } = opened.report;
   const isFitting = fits(request.state.ground, { triangles, inputVertices });
   const ground = isFitting ? request.state.ground : { ...LEVEL };
-  const answerTo = (wanted: readonly Source[]) =>
-    ask(engine, { ...request.state, sources: wanted, sets, walker, ground });
+  const answerTo = (some: readonly Source[]) => ask(engine, { ...request.state, sources: some, sets, walker, ground });
   let answer: Answer;
   if (isWithout) {
     ({ sources, answer } = await firstSource(places, answerTo));

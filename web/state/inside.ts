@@ -64,7 +64,7 @@ export const LEAST_SPACING = 0.02;
 
 /** Tetrahedra that a surface can be filled with, and the default. */
 export const FILLS = [1_000, 1_000_000] as const;
-export const DEFAULT_FILL = 60_000;
+export const DEFAULT_FILL = 63_000;
 
 export function isWhole({ cut, whole, gap, spacing, arrows }: Inside): boolean {
   return cut === 'none' && !whole && gap === 0 && spacing === 0 && !arrows;

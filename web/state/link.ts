@@ -12,6 +12,7 @@ import { POINT, SOURCES } from './points';
 import { LARGEST_CROWD, LIGHTS, type MeshReference, OVERLAYS, type SceneState, SPEEDS, TRIANGLES } from './scene';
 import { decodeSets, encodeSets } from './sets';
 import { SETTINGS } from './settings';
+import { UNCHOSEN } from './sources';
 import {
   BLENDS,
   type Finish,
@@ -129,7 +130,7 @@ const LOOK = [
 
 /** Keys of what undo goes back over. */
 const EDITS = [
-  whole('s', 'sources', SOURCES),
+  whole('s', 'sources', or('', UNCHOSEN, SOURCES)),
   whole('sets', 'sets', { encode: encodeSets, parse: decodeSets }),
   whole('w', 'walker', or('', undefined, or('none', null, POINT))),
   whole('up', 'up', automaticOr(choiceOf(UP))),

@@ -5,27 +5,37 @@ import { amount, type Codec, COUNT, listOf, number, parseAmount } from './text';
 
 /** The digits of a link are rounded, so that weights may miss a sum of 1 by a little. */
 const WEIGHTS_SUM = 0.01;
+/** By rounding alone they miss it by no more. */
+const ROUNDING = 1e-12;
 
 export const POINT: Codec<MeshPoint> = {
   encode: (point) => {
     const index = String(indexOf(point));
-    return 'vertex' in point ? index : `${index}:${point.weights.map(number).join('/')}`;
+    return 'vertex' in point ? index : `${index}:${shares(point.weights).join('/')}`;
   },
   parse: (text) => {
-    const [place = '', shares, ...more] = text.split(':');
+    const [place = '', own, ...more] = text.split(':');
     const index = COUNT.parse(place);
     if (index === undefined || more.length > 0) return undefined;
-    return shares === undefined ? { vertex: index } : weighted(index, shares);
+    return own === undefined ? { vertex: index } : weighted(index, own);
   },
 };
 
+/** Rounded so that they sum to 1: the largest takes what the others miss. Whoever reads them writes the same again. */
+function shares(weights: readonly number[]): string[] {
+  const largest = weights.indexOf(Math.max(...weights));
+  const rest = weights.reduce((sum, weight, i) => (i === largest ? sum : sum + Number(number(weight))), 0);
+  return weights.map((weight, i) => number(i === largest ? 1 - rest : weight));
+}
+
 /** A face has three weights, a tetrahedron four. */
-function weighted(index: number, shares: string): MeshPoint | undefined {
-  if (!/^[\d.]+(\/[\d.]+){2,3}$/.test(shares)) return undefined;
-  const weights = shares.split('/').map(Number);
+function weighted(index: number, text: string): MeshPoint | undefined {
+  if (!/^[\d.]+(\/[\d.]+){2,3}$/.test(text)) return undefined;
+  const weights = text.split('/').map(Number);
   const sum = weights.reduce((all, weight) => all + weight, 0);
-  if (!(Math.abs(sum - 1) < WEIGHTS_SUM)) return undefined;
-  const [a = 0, b = 0, c = 0, d] = weights.map((weight) => weight / sum);
+  const miss = Math.abs(sum - 1);
+  if (!(miss < WEIGHTS_SUM)) return undefined;
+  const [a = 0, b = 0, c = 0, d] = weights.map((weight) => (miss < ROUNDING ? weight : weight / sum));
   return d === undefined ? { face: index, weights: [a, b, c] } : { tetrahedron: index, weights: [a, b, c, d] };
 }
 

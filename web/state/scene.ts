@@ -14,7 +14,7 @@ import { type CutPlane, type Inside, WHOLE } from './inside';
 import type { Compared } from './compared';
 import type { Units } from '../length';
 import type { Settings } from './settings';
-import type { SourceSet } from './sources';
+import { type SourceSet, UNCHOSEN } from './sources';
 import type { Tape } from './tapes';
 import { DEFAULT_STYLE, type Style } from './styles';
 
@@ -142,7 +142,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     parts: [],
     triangles: null,
     fill: null,
-    sources: [],
+    sources: UNCHOSEN,
     sets: [],
     walker: undefined,
     links: 0,

@@ -34,6 +34,9 @@ export interface Corner {
   readonly vertex: number;
 }
 
+/** What a scene has whose sources are still to be chosen, and not none: those of a file that no link says anything of. */
+export const UNCHOSEN: readonly Source[] = [];
+
 /** Sources of a scene at most, those of all its sets together: more is no list of sources but a field. */
 export const MOST_POINTS = 100_000;
 /** Sets of a scene at most. */

@@ -93,10 +93,17 @@ export function milliseconds(time: number): string {
   return time >= 100 ? time.toFixed(0) : time.toFixed(1);
 }
 
+/** Whether a column under `HEAD` has times that were measured here; the report's are as it gives them. */
+function isMeasured(column: number): boolean {
+  return column > 1 && column < 6;
+}
+
 /** A table in Markdown; `device` is named below it. */
 export function markdownOf(rows: readonly Row[], device: string): string {
   const cells = rows.map((row) =>
-    cellsOf(row).map((cell, index) => (typeof cell === 'number' && index > 1 ? milliseconds(cell) : String(cell))),
+    cellsOf(row).map((cell, index) =>
+      typeof cell === 'number' && isMeasured(index) ? milliseconds(cell) : String(cell),
+    ),
   );
   return `${markdownTable(HEAD, cells, [0])}\nMeasured by Heatwalk in ${device}. Report: ${DEVICE_OF_REPORT}.\n`;
 }

@@ -236,8 +236,10 @@ export const PAGE: Texts = {
   'The clipboard is not available. Save the table as CSV.':
     'Le presse-papiers n’est pas disponible. Enregistrez la table en CSV.',
   'Table 1 of the report': 'Table 1 du rapport',
-  'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of the same numbers of triangles. The report measured by ALGLIB in C# on a laptop of 2015.':
-    'Le gradient conjugué (CG) face aux facteurs de Cholesky, par la méthode du rapport, sur des modèles d’autant de triangles. Le rapport a mesuré par ALGLIB en C# sur un ordinateur portable de 2015.',
+  'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of about as many triangles. The report measured by ALGLIB in C# on a laptop of 2015.':
+    'Le gradient conjugué (CG) face aux facteurs de Cholesky, par la méthode du rapport, sur des modèles d’à peu près autant de triangles. Le rapport a mesuré par ALGLIB en C# sur un ordinateur portable de 2015.',
+  'Costs and walls of the triangles before are not those of others: Back brings them back.':
+    'Les coûts et les murs des triangles d’avant ne sont pas ceux des autres : Retour les ramène.',
   Here: 'Ici',
   Report: 'Rapport',
   Times: 'Temps',

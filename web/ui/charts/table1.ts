@@ -28,7 +28,9 @@ export function table1(): HTMLElement {
       (row) => {
         rows.push(row);
         const model = h('th', { scope: 'rowgroup', rowspan: 2 }, row.title, h('br'), trianglesWords(row.triangles));
-        table.append(h('tbody', {}, timesRow(t('Here'), row, model), timesRow(t('Report'), reportOf(row))));
+        table.append(
+          h('tbody', {}, timesRow(t('Here'), row, milliseconds, model), timesRow(t('Report'), reportOf(row), String)),
+        );
       },
     );
     return t('Done. Other work on this device makes times longer.');
@@ -54,7 +56,7 @@ export function table1(): HTMLElement {
   return measurement(
     t('Table 1 of the report'),
     t(
-      'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of the same numbers of triangles. The report measured by ALGLIB in C# on a laptop of 2015.',
+      'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of about as many triangles. The report measured by ALGLIB in C# on a laptop of 2015.',
     ),
     button,
     progress,
@@ -71,12 +73,13 @@ function heading(name: Words): HTMLElement {
 function timesRow(
   name: Words,
   { iterated, factored }: Pick<Row, 'iterated' | 'factored'>,
+  words: (time: number) => string,
   model?: HTMLElement,
 ): HTMLElement {
-  const times = [iterated, factored].map((each) => h('td', {}, timesOf(each)));
+  const times = [iterated, factored].map((each) => h('td', {}, timesOf(each, words)));
   return h('tr', {}, ...(model ? [model] : []), h('th', { scope: 'row' }, name), ...times);
 }
 
-function timesOf({ precompute, solve }: Times): string {
-  return `${milliseconds(precompute)} / ${milliseconds(solve)}`;
+function timesOf({ precompute, solve }: Times, words: (time: number) => string): string {
+  return `${words(precompute)} / ${words(solve)}`;
 }

@@ -32,7 +32,8 @@ export function lengthNumber(value: ModelLength, state: LegState, unit: LengthUn
 export function lengthWords(value: ModelLength, state: LegState, unit: LengthUnit): Words {
   if (!Number.isFinite(value)) return state === 'none' ? t('not connected') : '…';
   const number = lengthNumber(value, state, unit);
-  return unit.symbol ? t`${number} ${unit.symbol}` : number;
+  if (!unit.symbol && String(number) === '1') return t('1 unit');
+  return t`${number} ${unit.symbol || t('units')}`;
 }
 
 /** The area within a closed tape on its label; null where there is none. */

@@ -54,6 +54,10 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
     said.hidden = false;
     say(said, text);
   };
+  // What was said of a model is not of another one.
+  session.shown.watch((shown, previous) => {
+    if (shown?.opened !== previous?.opened) said.hidden = true;
+  });
   const add = async (text: string) => {
     if (text.trim() === '') return;
     try {

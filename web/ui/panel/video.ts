@@ -5,7 +5,7 @@ import type { Session } from '../../session/session';
 import { save } from '../../view/picture';
 import { FRAMES_A_SECOND, video } from '../../view/video';
 import { measuring } from '../charts/measuring';
-import { attribute } from '../dom';
+import { attribute, say } from '../dom';
 import { fileNameOf, tenths } from '../words';
 import { t } from '../../texts';
 
@@ -25,6 +25,9 @@ export function videoMaker(session: Session, frames: Frames, subject: () => 'tur
     steps: t('Share of the video drawn'),
     measure,
     ended: () => undefined,
+  });
+  session.shown.watch((shown, previous) => {
+    if (shown?.opened !== previous?.opened) say(said, '');
   });
   attribute(button, 'title', t('A video of one turn around the model, or of the walk'));
   return [button, progress, said];
