@@ -61,7 +61,7 @@ pub struct VolumeDistance {
     /// The sources, checked.
     pub sources: Vec<TetPoint>,
     /// Values below this were found by the march; infinity when all were. Those above are by heat or, where the march would have taken
-    /// more than some 4,000 steps a tetrahedron, ways along edges from those below.
+    /// more than some 500 steps a tetrahedron, ways along edges.
     pub exact_below: f64,
     /// The distances that the sources start from.
     pub(crate) initial_distances: Vec<f64>,
