@@ -145,6 +145,7 @@ export class EmbeddedHeatwalk extends EventTarget {
   readonly #waiting = new Map<number, Waiting>();
   readonly #receive = (event: MessageEvent) => this.#received(event);
   #last = 0;
+  #closed: Error | null = null;
 
   /** `frame`: an iframe with the address of the page. */
   constructor(frame: HTMLIFrameElement) {
@@ -198,6 +199,7 @@ export class EmbeddedHeatwalk extends EventTarget {
 
   async ask<M extends Method>(method: M, wanted: Methods[M]['ask']): Promise<Methods[M]['answer']> {
     await this.#listening.promise;
+    if (this.#closed) throw this.#closed;
     const id = ++this.#last;
     return new Promise((resolve, reject) => {
       this.#waiting.set(id, { resolve, reject });
@@ -210,10 +212,11 @@ export class EmbeddedHeatwalk extends EventTarget {
     });
   }
 
-  /** Hears nothing any more; calls under way fail. */
+  /** Hears nothing any more; calls under way fail, and so do later ones. */
   close(): void {
     window.removeEventListener('message', this.#receive);
     const closed = new Error('The connection to the frame was closed.');
+    this.#closed = closed;
     this.#listening.reject(closed);
     for (const { reject } of this.#waiting.values()) reject(closed);
     this.#waiting.clear();

@@ -124,6 +124,22 @@ test('a reload brings one’s own file back; recent files are opened again and e
   await meshName(page).toBe('ball.off');
   await page.goForward();
   await meshName(page).toBe(EGG_NAME);
+  // What is given while it is still looked for is what is wanted.
+  const found = new AbortController();
+  await page.route(/\/kept-[^/]*\.js$/, async (route) => {
+    if (!found.signal.aborted) await once(found.signal, 'abort');
+    await route.continue();
+  });
+  await page.reload();
+  await page
+    .locator('input[type=file]')
+    .first()
+    .setInputFiles({ name: 'ball.off', mimeType: '', buffer: Buffer.from(BALL) });
+  await meshName(page).toBe('ball.off');
+  found.abort();
+  await heatwalk.settled();
+  await meshName(page).toBe('ball.off');
+  await heatwalk.dropAndOpen([[EGG_NAME, EGG]]);
   // What has no source comes back without.
   await page.evaluate(() => window.heatwalk.setSources([]));
   await expect(page).toHaveURL(/name=an-egg[^&]*&.*s=none/);

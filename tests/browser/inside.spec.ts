@@ -191,6 +191,25 @@ test('shells, whole tetrahedra and tetrahedra apart are drawn, each another pict
   await expect(page).toHaveURL(/&cut=wedge&place=0.1&spacing=0.1&arrows=1/);
 });
 
+test('what is pulled apart is framed as its link frames it, and together again as before', async ({
+  heatwalk,
+  page,
+}) => {
+  await openCube(heatwalk, 'method=auto&whole=1');
+  const distance = () => page.evaluate(() => window.heatwalk.camera?.[2] ?? Number.NaN);
+  const together = await distance();
+  const gap = (await openSection(page, 'inside')).getByRole('slider', { name: 'Pull apart' });
+  await gap.fill('1');
+  await expect.poll(distance).toBeGreaterThan(1.5 * together);
+  await expect(page).toHaveURL(/&gap=1&/);
+  expect(page.url()).not.toContain('cam=');
+  const apart = await distance();
+  await gap.fill('0');
+  await expect.poll(distance).toBeCloseTo(together, 6);
+  await openCube(heatwalk, 'method=auto&whole=1&gap=1');
+  expect(await distance()).toBeCloseTo(apart, 6);
+});
+
 test('a closed surface is filled, about where it is, and shown again', async ({ heatwalk, page }) => {
   const ball = sphere(16);
   await heatwalk.openFile('ball.off', off(ball), 'method=auto&s=40&w=300&tape=40,80&sets=line:100-105,component:3@9');

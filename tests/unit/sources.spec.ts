@@ -224,6 +224,9 @@ for (const [text, said] of [
   ['1,2\n3,inf', 'a.csv, line 2: “3 inf” is no source'],
   ['x,y,z\n1,2', 'a.csv, line 2: x, y and z must be numbers'],
   ['1 2 3\n1 2 3 4 5', 'a.csv, line 2: “1 2 3 4 5” is no source'],
+  ['x;y;z\n500100,5;4600100,5;300,0', 'a.csv, line 2: “500100,5” has a decimal comma; write a point'],
+  ['vertex;offset\n5;10,5', 'a.csv, line 2: “10,5” has a decimal comma'],
+  ['vertex,offset\n5,10,5', 'a.csv, line 2 has more cells than the first row has names'],
   ['vertex\n', 'a.csv has no sources'],
   ['-3', 'a.csv: a vertex'],
 ]) {

@@ -73,6 +73,8 @@ export class Opener {
   #awaited: SceneState | null = null;
   /** What could not be used of the link that wants this state. */
   #refused: { state: SceneState | null; values: readonly string[] } = { state: null, values: [] };
+  /** How often something was asked for: what takes time to find is not opened once something else is wanted. */
+  #asked = 0;
 
   constructor(session: Session, notifier: Notifier, ground: GroundEditor) {
     this.#session = session;
@@ -88,6 +90,7 @@ export class Opener {
   async preset(id: string, state?: SceneState): Promise<void> {
     const preset = findPreset(id);
     if (!preset) return;
+    this.#asked += 1;
     const { title, load, view } = preset;
     const request: OpenRequest = { title, load, state: state ?? preset.start, choosePlaces: false, view };
     if (!state) request.asAuthored = true;
@@ -96,6 +99,7 @@ export class Opener {
 
   /** Opens a mesh of files, in a state that is `wanted`; a table alone is for the mesh on screen. */
   async files({ title, files }: InputFiles, wanted: SceneState | null = null): Promise<void> {
+    this.#asked += 1;
     const given = await files.catch(() => []);
     const [only, ...more] = given;
     if (only && given.every(({ content }) => content.size === 0)) {
@@ -151,6 +155,7 @@ export class Opener {
 
   /** Fetches what is at an address, in the state that a link wants for it. */
   async address(address: string, awaited: SceneState | null = null): Promise<void> {
+    this.#asked += 1;
     const fetched = (progress: LoadingListener, signal: AbortSignal) => {
       const listener: FetchListener = (bytes, fraction) =>
         progress({ stage: 'Fetching', fraction, vertices: 0, bytes });
@@ -263,12 +268,16 @@ export class Opener {
       await this.preset(state.mesh.id, state);
       return true;
     }
+    this.#asked += 1;
+    const asked = this.#asked;
+    const isOvertaken = () => asked !== this.#asked;
     const { findKept } = await import('./kept');
     const input = await findKept(state.mesh);
+    if (isOvertaken()) return true;
     if (!input) return false;
     await this.again(input, state);
     // Whatever was wrong with it, there is a scene.
-    if (!this.#session.shown.value) await this.preset(FIRST_PRESET.id);
+    if (!this.#session.shown.value && !isOvertaken()) await this.preset(FIRST_PRESET.id);
     return true;
   }
 

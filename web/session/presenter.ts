@@ -27,6 +27,8 @@ export class Presenter {
   readonly #view: View;
   /** The scene's mesh and answer. */
   #shown: Shown | null = null;
+  /** How far tetrahedra are apart in what is shown. */
+  #gap = 0;
   /** The mesh that is on the view in the place of the scene, and the camera to come back to. */
   #previewed: { opened: OpenedMesh; camera: readonly number[] | null } | null = null;
   #state: SceneState;
@@ -229,7 +231,11 @@ export class Presenter {
   }
 
   #showInside({ answer: { inside, question }, places }: Shown): void {
+    const { gap } = question.inside;
     this.#view.setInside(inside, innerCutOf(question.inside, places.box)?.planes ?? []);
+    // What is pulled apart takes more room, or less again. Whoever has moved the camera keeps the view.
+    if (gap !== this.#gap && !this.#state.camera) this.#view.frame();
+    this.#gap = gap;
   }
 
   #showPath(path: DrawPath | null, arc: number): void {

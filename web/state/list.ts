@@ -17,6 +17,9 @@ export interface Row {
 }
 
 const SEPARATORS = /\s*[,;\t]\s*|\s+/;
+const DECIMAL_COMMA = /^[-+]?\d+,\d+$/;
+/** Of a row that has these a comma separates nothing: it is one of decimals, which no number has here. */
+const STRONGER = /\s*[;\t]\s*/;
 const FORMS = t('Give a vertex, or x y z; an initial distance may follow.');
 /** The unit of a column, in its heading. */
 const UNIT = /\s*\(([^()]*)\)/;
@@ -56,6 +59,7 @@ export function rowsOf(name: string, text: string, unit: LengthUnit): Row[] {
   const [, symbol] = UNIT.exec(rows[0]?.text ?? '') ?? [];
   const own = symbol ? inUnit(unit, symbol) : unit;
   const named = rows[0] && columnsNamed(rows[0].cells);
+  const names = rows[0]?.cells.length ?? 0;
   if (named || (rows[0] && rows[0].cells.every((cell) => Number.isNaN(numberIn(cell))))) rows.shift();
   if (rows.length === 0) throw new Failure(t`${name} has no sources. ${FORMS}`);
   if (rows.length > MOST_POINTS) {
@@ -65,7 +69,10 @@ export function rowsOf(name: string, text: string, unit: LengthUnit): Row[] {
   return rows.map(({ cells, line }) => {
     const at = isOne ? name : t`${name}, line ${line}`;
     const columns = named ?? columnsOf(cells);
+    const comma = cells.find((cell) => DECIMAL_COMMA.test(cell));
+    if (comma) throw new Failure(t`${at}: “${comma.slice(0, 40)}” has a decimal comma; write a point.`);
     if (!columns) throw new Failure(t`${at}: “${cells.join(' ').slice(0, 40)}” is no source. ${FORMS}`);
+    if (named && cells.slice(names).some((cell) => cell !== '')) throw new Failure(t`${at} has more cells than the first row has names.`);
     return rowOf(cells, columns, at, own);
   });
 }
@@ -95,7 +102,11 @@ function rowsIn(text: string): { text: string; cells: string[]; line: number }[]
     .split(/\r\n|\r|\n/)
     .map((row, index) => ({ row: row.trim(), line: index + 1 }))
     .filter(({ row }) => row !== '')
-    .map(({ row, line }) => ({ text: row, cells: row.replaceAll(UNITS, '').split(SEPARATORS), line }));
+    .map(({ row, line }) => {
+      const plain = row.replaceAll(UNITS, '');
+      const isMixed = plain.split(STRONGER).some((cell) => DECIMAL_COMMA.test(cell)) && STRONGER.test(plain);
+      return { text: row, cells: plain.split(isMixed ? STRONGER : SEPARATORS), line };
+    });
 }
 
 /** What a heading says; null for a row that is none. */

@@ -126,7 +126,21 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
     const largest = session.shown.value?.answer.field?.maxDistance ?? inModel(0, MODEL);
     return withinReach(isolineWish(session), largest, shownUnit(session));
   };
+  const problem = h('p', { class: 'quiet', role: 'status', hidden: true });
+  const tell = (words: Words | null) => {
+    problem.hidden = words === null;
+    say(problem, words ?? '');
+    at.ariaInvalid = words === null ? null : 'true';
+  };
+  at.addEventListener('change', () => {
+    try {
+      parseIsolines(plainNumbers(at.value), shownUnit(session));
+    } catch (error) {
+      tell(sentenceOf(error));
+    }
+  });
   at.addEventListener('input', () => {
+    tell(null);
     try {
       const isolines = parseIsolines(plainNumbers(at.value), shownUnit(session));
       const { overlays } = session.scene.state;
@@ -174,7 +188,10 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   };
   session.shown.watch((shown, previous) => {
     if (shown?.answer.field !== previous?.answer.field) table.replaceChildren();
-    if (shown?.opened !== previous?.opened) show();
+    if (shown?.opened !== previous?.opened) {
+      show();
+      tell(null);
+    }
   });
   return [
     h(
@@ -183,6 +200,7 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
       name,
       at,
     ),
+    problem,
     action(t('Measure isolines'), t('Length of each isoline, and the area that is nearer'), measure),
     table,
     file.element,

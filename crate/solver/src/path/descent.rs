@@ -25,10 +25,10 @@ pub fn descend(surface: &Surface, distance: &Distance, from: impl ToPoint) -> Re
     descend_by(surface, distance, from, |descent| descent.steepest().or_else(|| descent.lowest_corner()))
 }
 
-/// The same from corner to corner, to that by way of which the distance is least.
+/// The same from corner to corner, to that by way of which the distance is least. Over portals it may lose its way.
 ///
 /// # Errors
-/// As [`descend`].
+/// As [`descend`]; [`Error::Unreachable`] where it has lost its way.
 pub(crate) fn descend_corners(surface: &Surface, distance: &Distance, from: impl ToPoint) -> Result<Path> {
     descend_by(surface, distance, from, |descent| descent.cheapest_corner())
 }
@@ -52,7 +52,7 @@ fn descend_by(
         let next = if crossings_left > 0 { step(&descent) } else { None };
         match next {
             Some((location, face)) => descent.go(location, face),
-            None => descent.escape(crossings_left > 0),
+            None => descent.escape(crossings_left > 0)?,
         }
         crossings_left = crossings_left.saturating_sub(1);
     }
@@ -230,9 +230,12 @@ impl<'a> Descent<'a> {
         Some((Place::Vertex(vertex), face))
     }
 
-    /// Follows edges to the nearest vertex that is lower than here, or that sees a goal: any component with a finite
-    /// distance has one. With `to_lower` false, only the latter will do.
-    fn escape(&mut self, to_lower: bool) {
+    /// Follows edges to the nearest vertex that is lower than here, or that sees a goal. With `to_lower` false, only the latter will do.
+    ///
+    /// # Errors
+    /// [`Error::Unreachable`] where there is none: any component with a finite distance had one, but a path that does not go where its
+    /// distance comes from may have gone by all of its portals and have come back.
+    fn escape(&mut self, to_lower: bool) -> Result<()> {
         let value = self.value();
         let start = self.location.nearest_vertex(self.surface);
         let goal = |vertex: VertexId| {
@@ -242,8 +245,7 @@ impl<'a> Descent<'a> {
                     .corners_of_vertex(vertex)
                     .any(|(face, _)| self.goals_of_face.get(&face).is_some_and(|goals| !goals.is_empty()))
         };
-        let path = dijkstra::nearest_goal(self.surface, start, goal)
-            .expect("a finite distance means a source or a portal on the same connected component");
+        let path = dijkstra::nearest_goal(self.surface, start, goal).ok_or(Error::Unreachable)?;
         for vertex in path {
             let shared = self
                 .location
@@ -255,6 +257,7 @@ impl<'a> Descent<'a> {
                 self.go(Place::Vertex(vertex), shared);
             }
         }
+        Ok(())
     }
 }
 

@@ -7,7 +7,7 @@ use heatwalk_sparse::Progress;
 use heatwalk_surface::{Path, Source, SurfacePoint, ToPoint};
 
 use super::{Answer, DistanceOptions, DistanceSolver};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::exact::{self, PlaceDistances};
 use crate::options::{Method, PathKind};
 use crate::path::{PathSearch, descend, descend_corners, refract, shortest, straighten};
@@ -32,7 +32,11 @@ impl DistanceSolver {
                     return Ok(path);
                 }
                 // Paths of locally least cost differ by the sides on which they go around what is dear.
-                let other = refract(surface, costs, &descend_corners(surface, &answer.distance, from)?)?;
+                let by_corners = match descend_corners(surface, &answer.distance, from) {
+                    Err(Error::Unreachable) => return Ok(path),
+                    found => found?,
+                };
+                let other = refract(surface, costs, &by_corners)?;
                 Ok(if self.along(answer, &other) < distance { other } else { path })
             }
             (PathKind::Straightened | PathKind::Exact, None) if answer.is_exact() => {
