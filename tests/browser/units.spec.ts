@@ -139,7 +139,7 @@ async function allLengths(heatwalk: HeatwalkPage, symbol: string): Promise<Recor
 
   await openSection(page, 'measure');
   const label = (await page.locator('.tape-label.leg').textContent()) ?? '';
-  expect(label).toBe(`${Number((100 / shown).toPrecision(3))}${symbol && ` ${symbol}`}`);
+  expect(label).toBe(`${Number((100 / shown).toPrecision(3))} ${symbol || 'units'}`);
   found['tape'] = Number(await page.getByRole('spinbutton', { name: 'Known length of tape 1' }).inputValue()) * shown;
   const tapes = columnsOf((await saved(page, 'Save CSV')).toString());
   found['tape in CSV'] = scaled([tapes['surface'][0], tapes['straight'][0], tapes['cost'][0]], shown);

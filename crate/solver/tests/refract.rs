@@ -10,10 +10,10 @@ use crate::common::truth::Random;
 use crate::common::{nearest, surface};
 use glam::DVec3;
 use heatwalk::{
-    Costs, DistanceOptions, DistanceSolver, FaceId, Method, PathKind, Place, Surface, VertexId, descend, go_on,
-    refract, straighten,
+    BridgeRule, Costs, DistanceOptions, DistanceSolver, FaceId, Method, PathKind, Place, Surface, VertexId, descend,
+    go_on, refract, straighten, tobler,
 };
-use heatwalk_shapes::{icosphere, torus};
+use heatwalk_shapes::{icosphere, robot, torus};
 
 #[test]
 fn paths_over_two_media_cost_what_snell_says() {
@@ -137,4 +137,25 @@ fn the_distance_at_a_place_is_that_along_the_path_from_there() {
     let place = Place::Face { face: FaceId(700), weights: [0.2, 0.3, 0.5] };
     let known = solver.place_distances(&exact).expect("no costs").expect("all is exact").at(place);
     assert_eq!(solver.at(&exact, place), known);
+}
+
+#[test]
+fn over_contacts_every_path_arrives_and_costs_no_more_than_the_descent() {
+    let parts = Arc::new(surface(&robot(0.05).soup));
+    let costs = Costs::of_slope(&parts, DVec3::Y, tobler).expect("in range");
+    let mut solver = DistanceSolver::new(Arc::clone(&parts)).weighted(costs);
+    solver.join(&parts, BridgeRule::Automatic, 0).expect("the surface");
+    for source in [0, parts.vertex_count() as u32 / 2].map(VertexId) {
+        let answer = solver.distance(&[source], &DistanceOptions::default(), &mut go_on).expect("a source");
+        let reached = parts.vertices().step_by(41).filter(|&vertex| answer.distance.values[vertex].is_finite());
+        for from in reached.collect::<Vec<_>>() {
+            let [straight, descent] = [PathKind::Straightened, PathKind::Descent].map(|kind| {
+                let path = solver.path(&answer, from, kind).expect("it is reached");
+                let end = path.points[path.points.len() - 1].location;
+                assert_eq!(end.vertex(&parts), Some(source));
+                solver.cost_of(&path)
+            });
+            assert!(straight <= descent * (1.0 + 1e-9), "{from:?}: {straight} {descent}");
+        }
+    }
 }

@@ -75,6 +75,9 @@ struct Descent<'a> {
     costs: Option<&'a Costs>,
     /// Goals on each face from which they are seen along a straight line.
     goals_of_face: HashMap<FaceId, Vec<Goal>>,
+    /// The distance at the last portal that was crossed. Those that are farther lead back, though they may be in sight: where faces have
+    /// costs, the distance of a place between vertices is above what it costs to go on from there.
+    crossed: f64,
     location: Place,
     points: Vec<PathPoint>,
 }
@@ -96,7 +99,8 @@ impl<'a> Descent<'a> {
         }
         let face = location.faces(surface).first().copied().unwrap_or(FaceId(0));
         let points = vec![PathPoint { position: location.position(surface), location, face }];
-        Self { surface, values: &distance.values, costs: distance.costs(), goals_of_face, location, points }
+        let (values, costs) = (&distance.values, distance.costs());
+        Self { surface, values, costs, goals_of_face, crossed: f64::INFINITY, location, points }
     }
 
     fn value(&self) -> f64 {
@@ -120,7 +124,8 @@ impl<'a> Descent<'a> {
                 self.go(goal.place, face);
             }
             let Some(place) = goal.leads_to else { return true };
-            // Its distance is less than any here, so that no path comes back; but rounding shall not keep one.
+            self.crossed = goal.distance;
+            // Rounding shall not keep the path here.
             for face in goal.place.faces(self.surface) {
                 let goals = self.goals_of_face.get_mut(&face);
                 goals.into_iter().for_each(|goals| goals.retain(|other| other.leads_to != Some(place)));
@@ -137,7 +142,7 @@ impl<'a> Descent<'a> {
         let here = self.location.position(self.surface);
         let mut nearest: Option<(f64, Goal, FaceId)> = None;
         for face in self.location.faces(self.surface) {
-            for &goal in self.goals_of_face.get(&face).into_iter().flatten() {
+            for &goal in self.goals_of(face) {
                 let length = self.cost(face) * triangle::length(goal.place.position(self.surface) - here);
                 if nearest.is_none_or(|(best, other, _)| length + goal.distance < best + other.distance) {
                     nearest = Some((length, goal, face));
@@ -145,6 +150,12 @@ impl<'a> Descent<'a> {
             }
         }
         nearest
+    }
+
+    /// Those of a face that do not lead back.
+    fn goals_of(&self, face: FaceId) -> impl Iterator<Item = &Goal> {
+        let goals = self.goals_of_face.get(&face).into_iter().flatten();
+        goals.filter(|goal| goal.leads_to.is_none() || goal.distance <= self.crossed)
     }
 
     /// The next crossing along the steepest direction, where it is lower than here.
@@ -240,10 +251,7 @@ impl<'a> Descent<'a> {
         let start = self.location.nearest_vertex(self.surface);
         let goal = |vertex: VertexId| {
             to_lower && self.values[vertex] < value
-                || self
-                    .surface
-                    .corners_of_vertex(vertex)
-                    .any(|(face, _)| self.goals_of_face.get(&face).is_some_and(|goals| !goals.is_empty()))
+                || self.surface.corners_of_vertex(vertex).any(|(face, _)| self.goals_of(face).next().is_some())
         };
         let path = dijkstra::nearest_goal(self.surface, start, goal).ok_or(Error::Unreachable)?;
         for vertex in path {

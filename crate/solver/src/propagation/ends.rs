@@ -18,6 +18,9 @@ struct End {
     is_entered: bool,
 }
 
+/// Share of a distance that rounding may take from it on the way to a vertex and back.
+const ROUNDING: f64 = 1e-12;
+
 const UNREACHED: End = End { value: f64::INFINITY, source: NOWHERE, is_entered: false };
 
 impl Ends {
@@ -36,10 +39,11 @@ impl Ends {
         (0..).zip(exact.end_values().iter().copied()).filter(is_ahead)
     }
 
-    /// Offers an end a shorter path; whether it is one.
+    /// Offers an end a shorter path; whether it is one. What has entered by a portal and comes back to it is none, though rounding may say
+    /// so.
     pub fn offer(&mut self, end: u32, value: f64, source: u32) -> bool {
         let known = &mut self.0[end as usize];
-        let is_shorter = value < known.value;
+        let is_shorter = value < if known.is_entered { known.value * (1.0 - ROUNDING) } else { known.value };
         if is_shorter {
             *known = End { value, source, is_entered: false };
         }
