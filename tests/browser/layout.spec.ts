@@ -81,6 +81,14 @@ test.describe('on a phone', () => {
     await page.setViewportSize({ width: 844, height: 390 });
     const [panel, messages] = [page.locator('.panel'), page.locator('.messages')];
     expect((await messages.boundingBox())?.x).toBeGreaterThanOrEqual((await panel.boundingBox())?.x ?? Infinity);
+    // What has the focus is not below them.
+    const draw = page.getByRole('combobox', { name: 'Draw' });
+    await draw.focus();
+    const isSeen = (element: Element) => {
+      const { left, top, width, height } = element.getBoundingClientRect();
+      return element === document.elementFromPoint(left + width / 2, top + height / 2);
+    };
+    expect(await draw.evaluate(isSeen)).toBe(true);
     await page.getByRole('button', { name: 'Close the message' }).first().tap();
     for (const name of ['Scene', 'Ground', 'Inside']) {
       await page.getByRole('tab', { name }).tap();

@@ -20,6 +20,7 @@ pub enum Layout {
 }
 
 pub fn unsupported_version(input: &Input, version: &str) -> Error {
+    let version = if version.is_empty() { "?" } else { version };
     input.unsupported(format!("version {version} of the format"), "save it as version 4.1 or 2.2").into()
 }
 
