@@ -21,6 +21,12 @@ function outside(page: Page): Promise<string[]> {
   );
 }
 
+/** Whether nothing else lies over the middle of an element. */
+function isSeen(element: Element): boolean {
+  const { left, top, width, height } = element.getBoundingClientRect();
+  return element === document.elementFromPoint(left + width / 2, top + height / 2);
+}
+
 /** Tools that something else lies over. */
 function covered(page: Page): Promise<(string | null)[]> {
   return page.locator('.toolbar button').evaluateAll((buttons) =>
@@ -84,10 +90,6 @@ test.describe('on a phone', () => {
     // What has the focus is not below them.
     const draw = page.getByRole('combobox', { name: 'Draw' });
     await draw.focus();
-    const isSeen = (element: Element) => {
-      const { left, top, width, height } = element.getBoundingClientRect();
-      return element === document.elementFromPoint(left + width / 2, top + height / 2);
-    };
     expect(await draw.evaluate(isSeen)).toBe(true);
     await page.getByRole('button', { name: 'Close the message' }).first().tap();
     for (const name of ['Scene', 'Ground', 'Inside']) {

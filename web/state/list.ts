@@ -72,7 +72,8 @@ export function rowsOf(name: string, text: string, unit: LengthUnit): Row[] {
     const comma = cells.find((cell) => DECIMAL_COMMA.test(cell));
     if (comma) throw new Failure(t`${at}: “${comma.slice(0, 40)}” has a decimal comma; write a point.`);
     if (!columns) throw new Failure(t`${at}: “${cells.join(' ').slice(0, 40)}” is no source. ${FORMS}`);
-    if (named && cells.slice(names).some((cell) => cell !== '')) throw new Failure(t`${at} has more cells than the first row has names.`);
+    if (named && cells.slice(names).some((cell) => cell !== ''))
+      throw new Failure(t`${at} has more cells than the first row has names.`);
     return rowOf(cells, columns, at, own);
   });
 }
