@@ -150,7 +150,7 @@ test('what was opened is said below the model, over no tool, and beside the hint
     [1800, 900],
     [1400, 900],
     [1290, 700],
-    [1120, 700],
+    [1100, 720],
     [1000, 700],
     [972, 600],
     [960, 600],
@@ -160,7 +160,7 @@ test('what was opened is said below the model, over no tool, and beside the hint
     const [said, below] = [await message.boundingBox(), await tools.boundingBox()];
     if (!said || !below) throw new Error('something is not there');
     const shown = (await hint.isVisible()) ? await hint.boundingBox() : null;
-    expect(shown !== null, `the hint at ${width} × ${height}`).toBe(width >= 1120);
+    expect(shown !== null, `the hint at ${width} × ${height}`).toBe(width >= 1100);
     for (const other of shown ? [shown, below] : [below]) {
       const isBeside = said.x + said.width <= other.x || other.x + other.width <= said.x;
       expect(isBeside || said.y + said.height <= other.y, `${width} × ${height}`).toBe(true);

@@ -115,15 +115,14 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
       if (unitName) say(unitName, unit.symbol);
     });
   };
-  const drawing = h('div', { class: 'stack' });
   scene.subscribe((state, previous) => {
     // A drag changes places, not the rows: rebuilding them would drop the focus.
     if (state.sources.length !== previous.sources.length || state.sets.length !== previous.sets.length) {
       const focused = rows.findIndex((one) => one.contains(document.activeElement));
       build();
-      // Whoever deletes one goes on with the next.
+      // Whoever deletes one goes on with the next, or sets another.
       const next = rows[Math.min(focused, rows.length - 1)]?.querySelector<HTMLElement>('.small');
-      if (focused >= 0) (next ?? drawing.querySelector('select'))?.focus();
+      if (focused >= 0) (next ?? session.view.stage).focus();
     }
     const isOther = state.sources !== previous.sources || state.sets !== previous.sets;
     if (isOther || state.selected !== previous.selected || !isSameUnit(state, previous)) show();
@@ -139,6 +138,7 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
     say(unreached, sentence ?? '');
   });
   unreached.setAttribute('role', 'status');
+  const drawing = h('div', { class: 'stack' });
   void first.then(async () => drawing.append(...(await import('./sets')).drawingControls(session, tool)));
   return h('div', { class: 'stack' }, list, drawing, unreached, linking);
 }
