@@ -124,19 +124,27 @@ test('a reload brings one’s own file back; recent files are opened again and e
   await meshName(page).toBe('ball.off');
   await page.goForward();
   await meshName(page).toBe(EGG_NAME);
+  /** Loads the page anew while the module that finds kept files is held back, and gives a file. Returns what lets it go on. */
+  const giveMeanwhile = async (name: string, content: string) => {
+    const found = new AbortController();
+    await page.route(/\/kept-[^/]*\.js$/, async (route) => {
+      if (!found.signal.aborted) await once(found.signal, 'abort');
+      await route.continue();
+    });
+    await page.reload();
+    const file = { name, mimeType: '', buffer: Buffer.from(content) };
+    await page.locator('input[type=file]').first().setInputFiles(file);
+    return () => found.abort();
+  };
+  // What cannot be opened keeps nothing from being found.
+  const findIt = await giveMeanwhile('empty.off', '');
+  await expect(page.getByRole('alert')).toContainText('empty.off is empty');
+  findIt();
+  await meshName(page).toBe(EGG_NAME);
   // What is given while it is still looked for is what is wanted.
-  const found = new AbortController();
-  await page.route(/\/kept-[^/]*\.js$/, async (route) => {
-    if (!found.signal.aborted) await once(found.signal, 'abort');
-    await route.continue();
-  });
-  await page.reload();
-  await page
-    .locator('input[type=file]')
-    .first()
-    .setInputFiles({ name: 'ball.off', mimeType: '', buffer: Buffer.from(BALL) });
+  const findLate = await giveMeanwhile('ball.off', BALL);
   await meshName(page).toBe('ball.off');
-  found.abort();
+  findLate();
   await heatwalk.settled();
   await meshName(page).toBe('ball.off');
   await heatwalk.dropAndOpen([[EGG_NAME, EGG]]);

@@ -73,8 +73,8 @@ export class Opener {
   #awaited: SceneState | null = null;
   /** What could not be used of the link that wants this state. */
   #refused: { state: SceneState | null; values: readonly string[] } = { state: null, values: [] };
-  /** How often something was asked for: what takes time to find is not opened once something else is wanted. */
-  #asked = 0;
+  /** How often a mesh was begun to be opened: what takes time to find is not opened once another one is. */
+  #begun = 0;
 
   constructor(session: Session, notifier: Notifier, ground: GroundEditor) {
     this.#session = session;
@@ -90,7 +90,7 @@ export class Opener {
   async preset(id: string, state?: SceneState): Promise<void> {
     const preset = findPreset(id);
     if (!preset) return;
-    this.#asked += 1;
+    this.#begun += 1;
     const { title, load, view } = preset;
     const request: OpenRequest = { title, load, state: state ?? preset.start, choosePlaces: false, view };
     if (!state) request.asAuthored = true;
@@ -99,7 +99,6 @@ export class Opener {
 
   /** Opens a mesh of files, in a state that is `wanted`; a table alone is for the mesh on screen. */
   async files({ title, files }: InputFiles, wanted: SceneState | null = null): Promise<void> {
-    this.#asked += 1;
     const given = await files.catch(() => []);
     const [only, ...more] = given;
     if (only && given.every(({ content }) => content.size === 0)) {
@@ -155,7 +154,6 @@ export class Opener {
 
   /** Fetches what is at an address, in the state that a link wants for it. */
   async address(address: string, awaited: SceneState | null = null): Promise<void> {
-    this.#asked += 1;
     const fetched = (progress: LoadingListener, signal: AbortSignal) => {
       const listener: FetchListener = (bytes, fraction) =>
         progress({ stage: 'Fetching', fraction, vertices: 0, bytes });
@@ -221,6 +219,7 @@ export class Opener {
     collected: (progress: LoadingListener, signal: AbortSignal) => Promise<Collection>,
     open: (collection: Collection) => Promise<void>,
   ): Promise<void> {
+    this.#begun += 1;
     try {
       await this.#session.gather(title, async (progress, signal) => {
         const collection = await collected(progress, signal);
@@ -268,16 +267,16 @@ export class Opener {
       await this.preset(state.mesh.id, state);
       return true;
     }
-    this.#asked += 1;
-    const asked = this.#asked;
-    const isOvertaken = () => asked !== this.#asked;
+    const before = ++this.#begun;
     const { findKept } = await import('./kept');
     const input = await findKept(state.mesh);
-    if (isOvertaken()) return true;
+    if (this.#begun !== before) return true;
     if (!input) return false;
-    await this.again(input, state);
+    const opening = this.again(input, state);
+    const own = this.#begun;
+    await opening;
     // Whatever was wrong with it, there is a scene.
-    if (!this.#session.shown.value && !isOvertaken()) await this.preset(FIRST_PRESET.id);
+    if (!this.#session.shown.value && this.#begun === own) await this.preset(FIRST_PRESET.id);
     return true;
   }
 

@@ -97,8 +97,8 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   let { sources, walker } = placed;
   const { sets, tapes } = placed;
   const { sources: wanted } = request.state;
-  const isChosen = wanted.length === 0 && wanted !== UNCHOSEN;
-  const isWithout = request.choosePlaces && !isChosen && sources.length + sets.length === 0;
+  const areNone = wanted.length === 0 && wanted !== UNCHOSEN;
+  const isWithout = request.choosePlaces && !areNone && sources.length + sets.length === 0;
   const { inputVertices, faces: triangles } = opened.report;
   const isFitting = fits(request.state.ground, { triangles, inputVertices });
   const ground = isFitting ? request.state.ground : { ...LEVEL };
