@@ -28,8 +28,6 @@ import { Keys } from './ui/input/keys';
 import { followLaunches } from './ui/input/launch';
 import { followPaste } from './ui/input/paste';
 import { announcer } from './ui/overlay/announcer';
-import { LineCorners } from './ui/input/corners';
-import { CutHandle, cutOf } from './ui/cut';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
 import { loadingBar } from './ui/overlay/loading';
@@ -77,19 +75,15 @@ const pinned = new Signal<Workspace | null>(null);
 const hint = h('div', { class: 'hint', hidden: true });
 const overlays = new Overlays(session);
 const crowd = new CrowdWalk(session);
-const handle = new CutHandle(session, cutOf(session));
 const measure = new MeasureInput(session, tool);
 const measuring = new MeasureSection(session, measure, tool);
 const comparing = new CompareSection(session);
 const draw = new DrawInput(session, tool);
-const over = new Stage(session, () => frames.cameraMoved());
-const corners = new LineCorners(session, draw);
+const over = new Stage(session, draw, () => frames.cameraMoved());
 const frames = new Frames(session, crowd, {
   drawn: () => {
-    handle.follow();
     comparing.follow();
     measuring.follow();
-    corners.follow();
     over.follow();
     readout.follow();
   },
@@ -162,8 +156,6 @@ page.append(
   h('section', { class: 'foot', 'aria-label': t('Tools') }, hint, bar),
   messages.element,
   loadingBar(session),
-  handle.element,
-  corners.element,
   measuring.labels,
   readout.element,
   keys.reticle,

@@ -67,8 +67,6 @@ export function animationSection(session: Session): HTMLElement {
       h('option', {}, t('None, as in the file')),
       ...choices.map((clip) => h('option', {}, described(clip))),
     );
-    // There is nothing to choose in files that stand still.
-    element.closest('details')?.toggleAttribute('hidden', choices.length === 0);
   };
   const show = ({ clip, plays, speed: times, loops, live }: Animation) => {
     clips.selectedIndex = (clip ?? -1) + 1;

@@ -7,7 +7,6 @@ import { REPORT } from '../../state/table1';
 import { h, say } from '../dom';
 import { KEYS, keyName } from '../keys';
 import { simplifiedSentence } from '../words';
-import { partsControl } from './parts';
 import { unitControls } from './units';
 import { t, type Words } from '../../texts';
 
@@ -88,6 +87,10 @@ export function sceneSection(
     if (!isSameUnit(state, previous)) showSimplified();
   });
   showScene();
+  const parts = h('div', { hidden: true });
+  drawn
+    .then(() => import('./parts'))
+    .then(({ partsControl }) => parts.replaceWith(partsControl(session, opener)), session.fail.bind(session));
 
   return h(
     'div',
@@ -107,6 +110,6 @@ export function sceneSection(
     credit,
     simplified,
     ...units,
-    partsControl(session, opener),
+    parts,
   );
 }

@@ -6,7 +6,6 @@ import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
 import type { Workspace } from '../../state/workspace';
-import { animationSection } from './animation';
 import { chartsSection } from './charts';
 import type { CompareSection } from './compare';
 import type { MeasureSection } from './measure';
@@ -53,7 +52,13 @@ export function workspacePanel(
           element: sceneSection(session, opener, chooseFile, chooseFolder, drawn),
           open: true,
         },
-        { id: 'animation', title: t('Animation'), element: animationSection(session), open: true, hidden: true },
+        {
+          id: 'animation',
+          title: t('Animation'),
+          element: async () => (await import('./animation')).animationSection(session),
+          open: true,
+          hidden: true,
+        },
       ],
     },
     look: {
@@ -149,9 +154,14 @@ export function workspacePanel(
   };
   const sources = { id: 'sources', title: t('Sources'), element: sourcesSection(session, tool, drawn), open: true };
   const panel = buildPanel(contents, [sources], open);
+  const sectionOf = (id: string) => panel.element.querySelector<HTMLDetailsElement>(`#section-${id}`);
   session.scene.subscribe(({ compared }, previous) => {
-    const section = panel.element.querySelector<HTMLDetailsElement>('#section-compare');
+    const section = sectionOf('compare');
     if (compared && !previous.compared && section) section.open = true;
+  });
+  session.shown.watch((shown) => {
+    // There is nothing to choose in files that stand still.
+    sectionOf('animation')?.toggleAttribute('hidden', !shown?.opened.clips.length);
   });
   void drawn.then(() => panel.load());
   // Where something is pinned, the model is framed beside it from the beginning.
