@@ -119,3 +119,18 @@ test('a notice stays until it is closed, and the same one is there once', async 
   await notice.getByRole('button', { name: 'Close the message' }).click();
   await expect(notice).toHaveCount(0);
 });
+
+test('what is closed, disabled or taken away leaves the focus near it, or on the model', async ({ heatwalk, page }) => {
+  const stage = page.locator('.stage');
+  await heatwalk.open('#v=1&m=bunny&tape=10,200&links=x');
+  await heatwalk.settled();
+  await page.locator('.message.notice').getByRole('button', { name: 'Close the message' }).press('Enter');
+  await expect(stage).toBeFocused();
+  const measure = await openSection(page, 'measure');
+  await measure.getByRole('button', { name: 'Delete tape 1' }).press('Enter');
+  await expect(measure.locator('summary').first()).toBeFocused();
+  const ground = await openSection(page, 'ground');
+  await ground.getByRole('button', { name: 'Fill all' }).press('Enter');
+  await ground.getByRole('button', { name: 'Clear' }).press('Enter');
+  await expect(ground.locator('summary').first()).toBeFocused();
+});

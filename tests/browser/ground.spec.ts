@@ -43,6 +43,21 @@ async function painted(heatwalk: HeatwalkPage): Promise<number> {
   return Object.values(ground.faces).filter((code) => code !== 0).length;
 }
 
+test('where it costs the same everywhere, what is measured is a cost, and exact', async ({ heatwalk, page }) => {
+  await openGrid(heatwalk);
+  const before = await heatwalk.distanceAt(BEHIND);
+  await choose(heatwalk, 'Mud', 'fill');
+  await page.locator('#section-ground').getByRole('button', { name: 'Fill all' }).click();
+  await heatwalk.settled();
+  expect(await heatwalk.distanceAt(BEHIND)).toBeGreaterThan(1.5 * before);
+  expect(await heatwalk.refining()).toBe('exact');
+  await page.locator('.stage').press('l');
+  const legend = page.getByRole('region', { name: 'Legend' }).getByRole('img');
+  await expect(legend).toHaveAttribute('aria-label', /least cost/i);
+  await page.getByRole('tab', { name: 'Solver' }).click();
+  await expect(page.getByText('Greatest cost', { exact: true })).toBeVisible();
+});
+
 for (const method of ['auto', 'heat']) {
   test(`behind mud it is farther, by ${method}, and undo takes the stroke back`, async ({ heatwalk, page }) => {
     await openGrid(heatwalk, `method=${method}`);

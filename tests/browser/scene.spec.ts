@@ -217,6 +217,26 @@ test('a link brings back the same scene and nearly the same picture', async ({ h
   await expect.poll(async () => difference(picture, await heatwalk.picture())).toBeLessThan(0.03);
 });
 
+test('a link to a preset with other triangles or parts has places on them', async ({ heatwalk, page }) => {
+  const places = async () => {
+    const { sources, sets, walker } = await heatwalk.scene();
+    return { sources: sources.length, sets: sets.length, walks: walker !== null };
+  };
+  const chosen = { sources: 1, sets: 0, walks: true };
+  await heatwalk.open('#v=1&m=ring&triangles=800');
+  expect(await places()).toEqual(chosen);
+  // Its source is on the second part, its walker on none.
+  await heatwalk.follow('v=1&m=robot&p=0');
+  expect(await places()).toEqual(chosen);
+  await expect(page.locator('.message.notice')).toHaveCount(0);
+  await heatwalk.follow('v=1&m=bunny&s=999999&w=999999');
+  expect(await places()).toEqual(chosen);
+  await expect(page.locator('.message.notice')).toHaveText([/w=999999/, /Some sources of the link/]);
+  await page.goto('about:blank');
+  await heatwalk.open('#v=1&m=ring&triangles=800&s=none&w=none');
+  expect(await places()).toEqual({ sources: 0, sets: 0, walks: false });
+});
+
 test('a link to a file asks for it by name and checks its hash', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await heatwalk.dropAndOpen([['ball.off', off(BALL)]]);

@@ -156,6 +156,20 @@ test('scripts that wait until the page has settled have the lengths of tapes', a
   }
 });
 
+test('a tap on its last place ends a tape, and the next begins another', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=bunny');
+  await heatwalk.withoutLegend();
+  await page.getByRole('button', { name: 'Measure', exact: true }).first().click();
+  const places = [await heatwalk.pixelOnModel(0), await heatwalk.pixelOnModel(0.05), await heatwalk.pixelOnModel(0.1)];
+  for (const [x, y] of places.slice(0, 2)) await page.mouse.click(x, y);
+  const laid = async () => (await heatwalk.scene()).tapes.map(({ points }) => points.length);
+  await expect.poll(laid).toEqual([2]);
+  await page.waitForFunction((since) => performance.now() > since + 400, await page.evaluate(() => performance.now()));
+  await page.mouse.click(...places[1]);
+  await page.mouse.click(...places[2]);
+  await expect.poll(laid).toEqual([2, 1]);
+});
+
 test('tapes of a link are measured where another scene was before and nothing is refined', async ({
   heatwalk,
   page,

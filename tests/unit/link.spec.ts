@@ -2,6 +2,7 @@ import { expect, test } from '@playwright/test';
 import { ofModel, SHOWN_UNITS, UNITS } from '../../web/length';
 import { CUTS, FILLS, INSIDE_NUMBERS, INSIDE_RANGES, WHOLE } from '../../web/state/inside';
 import { decodeLink, encodeLink, KEYS, refusedBy, refusedWords } from '../../web/state/link';
+import { UNCHOSEN } from '../../web/state/sources';
 import { findStyle } from '../../web/state/styles';
 import {
   emptyScene,
@@ -183,7 +184,9 @@ test('a link holds every choice and both ends of every range, and nothing else',
     const state = { ...START, ...scene };
     expect(throughLink(state)).toEqual(state);
     const isDefault = JSON.stringify(state) === JSON.stringify(START);
-    expect(encodeLink(state, START).split('&')).toHaveLength(isDefault ? 2 : 3);
+    // Source and walker are of the triangles that a preset starts out with.
+    const isOther = state.triangles !== START.triangles || state.fill !== START.fill;
+    expect(encodeLink(state, START).split('&')).toHaveLength(isDefault ? 2 : isOther ? 5 : 3);
   }
 });
 
@@ -367,6 +370,15 @@ test('what the mesh of a link does not have is named', () => {
   expect(refusedBy(wanted, opened)).toEqual(['p=0,7', 'w=99', 'shown=km', 'tape=1,2', 'hide=9']);
   // Where a link names no walker, the page may choose one.
   expect(refusedBy({ ...wanted, walker: null }, wanted)).toEqual([]);
+});
+
+test('places of a preset are left where it has other triangles, and what a link says itself stays', () => {
+  const other = decodeLink('#v=1&m=bunny&triangles=500', startOf).state;
+  expect(other).toMatchObject({ sources: [], walker: undefined, triangles: 500 });
+  expect(other?.sources).toBe(UNCHOSEN);
+  const own = decodeLink('#v=1&m=bunny&fill=5000&s=3&w=none', startOf).state;
+  expect(own).toMatchObject({ sources: [{ vertex: 3 }], walker: null });
+  expect(decodeLink('#v=1&m=bunny&p=0', startOf).state?.sources).toBe(START.sources);
 });
 
 test('another version gives a notice', () => {

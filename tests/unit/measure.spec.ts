@@ -65,10 +65,23 @@ test('a click on the first place closes the tape that is being laid, and no othe
   input.clickPlace(0, 0, now() + 1000);
   expect(tapes()[0][1]).toBe(false);
   for (const x of [20, 60, 80]) click(x);
-  input.clickPlace(1, 2, now() + 1000);
+  input.clickPlace(1, 1, now() + 1000);
   expect(tapes()[1][1]).toBe(false);
   input.clickPlace(1, 0, now() + 1000);
   expect(tapes()[1][1]).toBe(true);
+});
+
+test('a click on the last place ends the tape that is being laid, where it has more than one', () => {
+  const { input, click, tapes, now } = measuring();
+  click(20);
+  input.clickPlace(0, 0, now() + 1000);
+  click(60);
+  input.clickPlace(0, 1, now() + 1000);
+  click(80);
+  expect(tapes()).toEqual([
+    [[20, 60], false],
+    [[80], false],
+  ]);
 });
 
 test('other tools, modifiers and clicks beside the model add no place', () => {

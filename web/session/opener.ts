@@ -11,7 +11,7 @@ import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { isPainted, LEVEL } from '../state/ground';
 import { HALVED, isWhole, WHOLE } from '../state/inside';
-import { type Decoded, decodeLink, isOpenedAlike, refusedBy, undoableOf } from '../state/link';
+import { type Decoded, decodeLink, isOpenedAlike, refusedBy, undoableOf, withoutOwn } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
 import { emptyScene, type MeshReference, type SceneState, TRIANGLES } from '../state/scene';
 import { type SourceSet, UNCHOSEN } from '../state/sources';
@@ -92,7 +92,7 @@ export class Opener {
     if (!preset) return;
     this.#begun += 1;
     const { title, load, view } = preset;
-    const request: OpenRequest = { title, load, state: state ?? preset.start, choosePlaces: false, view };
+    const request: OpenRequest = { title, load, state: state ?? preset.start, choosePlaces: true, view };
     if (!state) request.asAuthored = true;
     await this.#open(request, () => this.#forget());
   }
@@ -336,21 +336,22 @@ export class Opener {
     try {
       const shown = await this.#session.open(request);
       const { state } = this.#session.scene;
-      const refused = refusedBy(request.state, state);
+      const wanted = withoutOwn(request.state, startOf(request.state.mesh));
+      const refused = refusedBy(wanted, state);
       if (refused.length > 0) {
         const before = request.state === this.#refused.state ? this.#refused.values : [];
         this.#notifier.refused([...before, ...refused]);
       }
-      if (hasLost(request.state, this.#session.scene.state)) {
+      if (hasLost(wanted, state)) {
         this.#notifier.notice(t('Some sources of the link are not on this mesh and were removed.'));
       }
-      if (isPainted(request.state.ground) && !isPainted(this.#session.scene.state.ground)) {
+      if (isPainted(wanted.ground) && !isPainted(state.ground)) {
         this.#notifier.notice(t('The ground of the link is of another mesh and was removed.'));
       }
-      if (request.state.animation.clip !== null && this.#session.scene.state.animation.clip === null) {
+      if (wanted.animation.clip !== null && state.animation.clip === null) {
         this.#notifier.notice(t('The animation of the link is not in this mesh and was left out.'));
       }
-      this.#notifier.opened(request.title, shown, this.#session.scene.state);
+      this.#notifier.opened(request.title, shown, state);
       done(shown);
     } catch (error) {
       if (!(error instanceof Cancelled)) {
@@ -392,11 +393,14 @@ function simplifiedOf(state: SceneState): { name: Words; state: SceneState } | u
   return { name, state: { ...state, ...NO_PLACES, triangles, windows: DEFAULT_WINDOWS } };
 }
 
-/** Whether there are fewer sources than were wanted. */
+/** Whether some of the sources that were wanted are not there. */
 function hasLost(wanted: SceneState, now: SceneState): boolean {
+  const there = new Set(now.sources);
   const isFewer = ({ points }: SourceSet, index: number) => points.length > (now.sets[index]?.points.length ?? 0);
   return (
-    wanted.sources.length > now.sources.length || wanted.sets.length > now.sets.length || wanted.sets.some(isFewer)
+    wanted.sources.some((source) => !there.has(source)) ||
+    wanted.sets.length > now.sets.length ||
+    wanted.sets.some(isFewer)
   );
 }
 

@@ -1,6 +1,6 @@
 /** Shows a scene and the solver's answer to it on the view, and moves what moves by itself. */
 import type { DistanceField, DrawMesh, OpenedMesh, Posed, SceneryPart, DrawPath } from '../protocol';
-import { isPainted, isWeighted } from '../state/ground';
+import { hasCosts, isPainted } from '../state/ground';
 import { innerCutOf } from '../state/inside';
 import type { Scene } from '../state/history';
 import { type SceneState, visible } from '../state/scene';
@@ -163,7 +163,7 @@ export class Presenter {
    */
   #wholeOfDistance(): number {
     const diameter = this.#shown?.places.diameter ?? 1;
-    if (!this.#field || !this.#shown || !isWeighted(this.#shown.answer.question.ground)) return diameter;
+    if (!this.#field || !this.#shown || !hasCosts(this.#shown.answer.question.ground)) return diameter;
     const times = this.#field.maxDistance / (PLAIN_REACH * diameter);
     return diameter * 2 ** Math.max(0, Math.floor(Math.log2(times)));
   }

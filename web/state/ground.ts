@@ -78,12 +78,22 @@ const WEIGHTED = new WeakMap<Ground, boolean>();
 export function isWeighted(ground: Ground): boolean {
   let weighted = WEIGHTED.get(ground);
   if (weighted === undefined) {
-    const open = ground.faces.find((code) => !isWall(code)) ?? EVEN;
-    const differs = (code: number) => !isWall(code) && costOf(code) !== costOf(open);
+    const open = openCost(ground);
+    const differs = (code: number) => !isWall(code) && costOf(code) !== open;
     weighted = ground.slope || ground.highest !== 1 || ground.faces.some(differs);
     WEIGHTED.set(ground, weighted);
   }
   return weighted;
+}
+
+/** Whether what is measured are costs, not lengths: it costs other than 1 somewhere, or everywhere. */
+export function hasCosts(ground: Ground): boolean {
+  return isWeighted(ground) || openCost(ground) !== 1;
+}
+
+/** The cost of the first triangle that is no wall. */
+function openCost({ faces }: Ground): number {
+  return costOf(faces.find((code) => !isWall(code)) ?? EVEN);
 }
 
 const WALLED = new WeakMap<Ground, boolean>();

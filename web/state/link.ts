@@ -2,7 +2,7 @@
 import { PATH_KIND, UP, VERTEX_FIELD } from '../wasm/contract';
 import { addressIn, percentDecoded } from '../files/address';
 import { decodeCompared, encodeCompared } from './compared';
-import { COSTS, decodeGround, encodeGround } from './ground';
+import { COSTS, decodeGround, encodeGround, LEVEL } from './ground';
 import { GIRTH } from './girth';
 import { CUTS, FILLS, INSIDE_NUMBERS, INSIDE_RANGES } from './inside';
 import { decodeIsolines, encodeIsolines } from './isolines';
@@ -214,17 +214,27 @@ export function undoableOf(state: SceneState): Undoable {
 
 export function encodeLink(state: SceneState, start: SceneState): string {
   const entries: [string, string][] = [['v', VERSION], ...encodeMesh(state.mesh)];
-  // What a reader has come to: a style brings what it has along.
-  let reached = start;
-  for (const key of KEYS) {
+  through(start, (key, reached) => {
     const text = key.encode(state);
     const next = text === key.encode(reached) ? undefined : read(key, text, reached);
     // What has no text is left as the mesh starts out, as a camera that was never moved.
-    if (!next) continue;
-    entries.push([key.key, text]);
-    reached = next;
-  }
+    if (next) entries.push([key.key, text]);
+    return next;
+  });
   return entries.map(([key, value]) => `${key}=${value}`).join('&');
+}
+
+/** What a reader of a link has come to after all keys: a style, or another mesh of the same file, brings what it has along. */
+function through(
+  start: SceneState,
+  step: (key: Key<SceneState>, reached: SceneState) => SceneState | undefined,
+): SceneState {
+  let reached = start;
+  for (const key of OPENING) reached = step(key, reached) ?? reached;
+  // Places of a preset count its vertices and triangles.
+  if (reached.triangles !== start.triangles || reached.fill !== start.fill) reached = withoutOwn(reached, start);
+  for (const key of [...EDITS, ...LOOK]) reached = step(key, reached) ?? reached;
+  return reached;
 }
 
 export function decodeLink(fragment: string, startOf: StartOf): Decoded {
@@ -244,19 +254,28 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   if ((entries.get('v') ?? VERSION) !== VERSION) {
     notices.push(t('This link was made by another version of the page; some of it may be ignored.'));
   }
-  let state = start;
-  for (const key of KEYS) {
+  const state = through(start, (key, reached) => {
     const text = entries.get(key.key);
-    if (text === null) continue;
-    const next = read(key, text, state);
-    if (next) state = next;
-    else refuse(`${key.key}=${text}`);
-  }
+    if (text === null) return undefined;
+    const next = read(key, text, reached);
+    if (!next) refuse(`${key.key}=${text}`);
+    return next;
+  });
   const [open, kiosk] = [entries.get('open'), entries.get('kiosk')];
   if (open !== null && !isWorkspace(open)) refuse(`open=${open}`);
   if (kiosk !== null && FLAG.parse(kiosk) === undefined) refuse(`kiosk=${kiosk}`);
   const known = new Set([...ADDRESS_KEYS, ...KEYS.map(({ key }) => key)]);
   return { state, notices, refused, unknown: [...entries.keys()].filter((key) => !known.has(key)) };
+}
+
+/** A state without the sources, the walker and the ground that the mesh starts out with, and nobody asked for. */
+export function withoutOwn(state: SceneState, start: SceneState | null): SceneState {
+  return {
+    ...state,
+    sources: state.sources === start?.sources ? UNCHOSEN : state.sources,
+    walker: state.walker === start?.walker ? undefined : state.walker,
+    ground: state.ground === start?.ground ? LEVEL : state.ground,
+  };
 }
 
 /** What of a link the mesh that was opened does not have, as `key=value`: places, parts, a unit to be converted to. */

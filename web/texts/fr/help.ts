@@ -75,6 +75,8 @@ export const HELP: Texts = {
   buttons: 'boutons',
   'Measure from the walker to the source': 'Mesurer du marcheur à la source',
   'Measure, with that tool': 'Mesurer, avec cet outil',
+  'End a tape': 'Terminer un ruban',
+  'its last place': 'son dernier point',
   'Close a tape': 'Fermer un ruban',
   'double-click, or its first place': 'double-clic, ou son premier point',
   'its first place': 'son premier point',

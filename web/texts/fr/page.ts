@@ -101,8 +101,8 @@ export const PAGE: Texts = {
   Walker: 'Marcheur',
   'Click places the walker ({0}); alt + click with any tool':
     'Un clic place le marcheur ({0}) ; alt + clic avec tout outil',
-  'Clicks measure between places ({0}); Esc ends a tape':
-    'Les clics mesurent entre des points ({0}) ; Échap termine un ruban',
+  'Clicks measure between places ({0}); the last place again ends a tape':
+    'Les clics mesurent entre des points ({0}) ; le dernier encore une fois termine un ruban',
   'Ctrl+Shift+{0}': 'Ctrl+Maj+{0}',
   Undo: 'Annuler',
   Redo: 'Rétablir',

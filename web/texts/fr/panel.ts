@@ -180,8 +180,8 @@ export const PANEL: Texts = {
   '{0} curve, {1} in all.': '{0} courbe, {1} en tout.',
   '{0} curves, {1} in all; the longest is the girth.': '{0} courbes, {1} en tout ; la plus longue est le tour.',
   'Command line': 'Ligne de commande',
-  'There are no distances yet. Click the surface to place a source.':
-    'Il n’y a pas encore de distances. Cliquez sur la surface pour placer une source.',
+  'There are no distances yet. Place a source on the surface.':
+    'Il n’y a pas encore de distances. Placez une source sur la surface.',
   'This is for surfaces, not for the inside of tetrahedra.':
     'Ceci est réservé aux surfaces, non à l’intérieur de tétraèdres.',
   'VTU, tetrahedra': 'VTU, tétraèdres',
@@ -204,8 +204,7 @@ export const PANEL: Texts = {
   'One for each vertex of the file, in the unit that is shown; GLB files are in meters':
     'Une par sommet du fichier, dans l’unité affichée ; les fichiers GLB sont en mètres',
   Path: 'Chemin',
-  'There is no path. Alt + click the surface to place a walker.':
-    'Il n’y a pas de chemin. Alt + clic sur la surface place un marcheur.',
+  'There is no path. Place a walker on the surface.': 'Il n’y a pas de chemin. Placez un marcheur sur la surface.',
   'Save path': 'Enregistrer le chemin',
   'The points of the path, in the unit that is shown; GLB files are in meters':
     'Les points du chemin, dans l’unité affichée ; les fichiers GLB sont en mètres',
@@ -233,12 +232,12 @@ export const PANEL: Texts = {
   'open and close gates': 'ouvrir et fermer des portes',
   'Drag on the surface to paint. Drag beside it, or with ctrl, to orbit.':
     'Glissez sur la surface pour peindre. Glissez à côté, ou avec ctrl, pour tourner autour.',
-  'Click an area: all of it that costs the same is painted.':
-    'Cliquez une zone : tout ce qui y coûte autant est peint.',
-  'Click one vertex after the other; Esc, or a click on the last one, ends the wall.':
-    'Cliquez un sommet après l’autre ; Échap, ou un clic sur le dernier, termine le mur.',
-  'Click a wall or a gate to open it, or to close it again.':
-    'Cliquez un mur ou une porte pour l’ouvrir, ou pour la refermer.',
+  'Choose an area: all of it that costs the same is painted.':
+    'Choisissez une zone : tout ce qui y coûte autant est peint.',
+  'Mark one vertex after the other. The last one again, or Esc, ends the wall.':
+    'Marquez un sommet après l’autre. Le dernier encore une fois, ou Échap, termine le mur.',
+  'Choose a wall or a gate to open it, or to close it again.':
+    'Choisissez un mur ou une porte pour l’ouvrir, ou pour la refermer.',
   Mud: 'Boue',
   Sand: 'Sable',
   Road: 'Route',
@@ -272,7 +271,8 @@ export const PANEL: Texts = {
   Height: 'Altitude',
   'costs nothing': 'ne coûte rien',
   '{0} × at the top': '{0} × au sommet',
-  'Click the next vertex; Esc ends the wall.': 'Cliquez le sommet suivant ; Échap termine le mur.',
+  'Mark the next vertex. The last one again, or Esc, ends the wall.':
+    'Marquez le sommet suivant. Le dernier encore une fois, ou Échap, termine le mur.',
   'Where costs differ, no distances are exact.': 'Là où les coûts diffèrent, aucune distance n’est exacte.',
   'Nobody walks through': 'Personne ne le traverse',
   'A wall that can be opened': 'Un mur que l’on peut ouvrir',
@@ -308,9 +308,9 @@ export const PANEL: Texts = {
   'Their boundary is within {0} of the diagonal of the surface.':
     'Leur bord est à moins de {0} de la diagonale de la surface.',
   Tapes: 'Mètres rubans',
-  'Click places to measure between them': 'Cliquez des points pour mesurer entre eux',
-  'Click two places or more. Esc ends a tape, a click on its first place or a double click closes it.':
-    'Cliquez deux points ou plus. Échap termine un ruban, un clic sur son premier point ou un double-clic le ferme.',
+  'Mark places to measure between them': 'Marquez des points pour mesurer entre eux',
+  'Mark two places or more. The last one again, or Esc, ends the tape; the first one, or a double click, closes it.':
+    'Marquez deux points ou plus. Le dernier encore une fois, ou Échap, termine le ruban ; le premier, ou un double-clic, le ferme.',
   'steepest descent': 'plus forte pente',
   straightened: 'redressé',
   Renderer: 'Moteur de rendu',
@@ -374,14 +374,13 @@ export const PANEL: Texts = {
   'Choose what a tap draws.': 'Choisissez ce que trace un appui.',
   'Shift + click draws a line along edges from the last source.':
     'Maj + clic trace une ligne le long d’arêtes depuis la dernière source.',
-  'Click one vertex after the other. The first one closes the line; Esc, or the last one, ends it.':
-    'Cliquez un sommet après l’autre. Le premier ferme la ligne ; Échap, ou le dernier, la termine.',
+  'Mark one vertex after the other. The last one again, or Esc, ends the line; the first one closes it.':
+    'Marquez un sommet après l’autre. Le dernier encore une fois, ou Échap, termine la ligne ; le premier la ferme.',
   'Drag on the surface to draw. A stroke that ends where it began is closed.':
     'Glissez sur la surface pour tracer. Un trait qui finit où il a commencé est fermé.',
-  'Click near a boundary: all of its vertices are sources.':
-    'Cliquez près d’un bord : tous ses sommets sont des sources.',
-  'Click a part: all of its vertices are sources; of a model of one part, those of the component.':
-    'Cliquez une pièce : tous ses sommets sont des sources ; sur un modèle d’une seule pièce, ceux de la composante.',
+  'Choose a boundary: all of its vertices are sources.': 'Choisissez un bord : tous ses sommets sont des sources.',
+  'Choose a part: all of its vertices are sources; of a model of one part, those of the component.':
+    'Choisissez une pièce : tous ses sommets sont des sources ; sur un modèle d’une seule pièce, ceux de la composante.',
   'These sources are too many for a link, which leaves out those drawn and listed. Save them as a file: whoever drops it on the page has them again.':
     'Ces sources sont trop nombreuses pour un lien, qui omet celles tracées et listées. Enregistrez-les dans un fichier : qui le dépose sur la page les retrouve.',
   List: 'Liste',
@@ -431,8 +430,7 @@ export const PANEL: Texts = {
   'There is nothing to record.': 'Il n’y a rien à enregistrer.',
   'Share of the video drawn': 'Part de la vidéo qui est dessinée',
   'Saved: {0} s, {1} frames a second.': 'Enregistrée : {0} s, {1} images par seconde.',
-  'There is no walker. Alt + click the surface to place one.':
-    'Il n’y a pas de marcheur. Alt + clic sur la surface en place un.',
+  'There is no walker. Place one on the surface.': 'Il n’y a pas de marcheur. Placez-en un sur la surface.',
   'Propagation at once, then refined to exact unless ground has costs. Nothing is factored.':
     'Propagation immédiate, puis raffinée jusqu’à l’exact sauf si le terrain a des coûts. Rien n’est factorisé.',
   'By a few windows of each half-edge; never below the exact distance. Nothing is factored.':
@@ -472,8 +470,9 @@ export const PANEL: Texts = {
   'Link nearest': 'Lier le plus proche',
   'Links all groups of components': 'Lie tous les groupes de composantes',
   'Link all': 'Tout lier',
-  'No source: click the surface to set one.': 'Aucune source : cliquez sur la surface pour en placer une.',
-  'Select; arrows move it, Delete removes it': 'Choisir ; les flèches la déplacent, Suppr l’enlève',
+  'No source yet: set one on the surface.': 'Aucune source : placez-en une sur la surface.',
+  'Select; arrows on the model move it, Delete removes it':
+    'Choisir ; les flèches sur le modèle la déplacent, Suppr l’enlève',
   'Delete this source (Delete)': 'Supprimer cette source (Suppr)',
   'Delete source {0}': 'Supprimer la source {0}',
   'Initial distance: the distance at this source': 'Distance initiale : la distance à cette source',

@@ -7,7 +7,7 @@ import type { Session } from '../../session/session';
 import type { MeasuredTape } from '../../session/tapes';
 import { isSameField, type Question } from '../../solver/engine';
 import type { Places } from '../../state/places';
-import { isWeighted } from '../../state/ground';
+import { hasCosts } from '../../state/ground';
 import { distributionOf, errorsByDistance } from '../../state/distribution';
 import { type LengthUnit, type ModelLength, ofModel, told, unitOf } from '../../length';
 import { legsOf } from '../../state/tapes';
@@ -149,7 +149,7 @@ function chartsOf(
   const { field, path, question } = answer;
   if (!field) return { charts: [], notes: [t('Set a source to see how distance is distributed.')] };
   const inUnit = (name: Words) => withUnit(name, unit.symbol);
-  const isCost = isWeighted(question.ground);
+  const isCost = hasCosts(question.ground);
   const xLabel = inUnit(isCost ? t('Least cost') : t('Distance'));
   const positions = question.moment ? places.positions : opened.surface.positions;
   const { triangles } = opened.surface;

@@ -56,6 +56,7 @@ export const GESTURES: readonly Gesture[] = [
   ),
   gesture(t('Measure, with that tool'), t('click'), t('tap'), t('Enter')),
   gesture(t('Measure from the walker to the source'), null, null, keys('tape')),
+  gesture(t('End a tape'), t('its last place'), t('its last place'), t('Esc')),
   gesture(t('Close a tape'), t('double-click, or its first place'), t('its first place'), t('Enter there')),
   gesture(t('Move a place of a tape'), t('drag'), t('drag'), t('arrows')),
   byButton(t('Pause or resume'), 'pause'),

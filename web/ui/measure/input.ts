@@ -56,12 +56,15 @@ export class MeasureInput {
     return true;
   }
 
-  /** A click on a place of a tape: its first one closes the tape that is being laid, and so does a double click on its last. */
+  /** A click on a place of the tape that is being laid: the last one ends it, the first one closes it, and so does a double click. */
   clickPlace(tape: number, place: number, time: number): void {
     if (tape !== this.#open) return;
     const { points } = entry(this.#session.scene.state.tapes, tape);
-    const isDouble = place === points.length - 1 && this.#last !== null && time - this.#last.time < DOUBLE_MS;
-    if (place === 0 ? points.length > 1 : isDouble) this.#close();
+    if (points.length < 2) return;
+    const isLast = place === points.length - 1;
+    const isDouble = isLast && this.#last !== null && time - this.#last.time < DOUBLE_MS;
+    if (isDouble || place === 0) this.#close();
+    else if (isLast) this.end();
   }
 
   /** Ends the tape that is being laid; false if there is none. */

@@ -2,7 +2,7 @@
 import type { Session } from '../../session/session';
 import { isSameUnit, unitOf } from '../../length';
 import { h, say } from '../dom';
-import { isWeighted } from '../../state/ground';
+import { hasCosts } from '../../state/ground';
 import { measure } from '../../state/measures';
 import { refiningSentence } from '../words';
 import { sentences, t, type Words } from '../../texts';
@@ -39,13 +39,13 @@ function announcement({ scene, shown, refiner }: Session): Words {
   if (!opened || !answer?.field) return '';
   const unit = unitOf(scene.state, opened);
   const { path } = answer;
-  const hasCosts = isWeighted(answer.question.ground);
+  const isCost = hasCosts(answer.question.ground);
   return sentences(
     refiningSentence(refiner.phase.value, answer.field, scene.state, unit),
-    hasCosts
+    isCost
       ? t`Greatest cost ${measure(answer.field.maxDistance, unit)}.`
       : t`Maximum distance ${measure(answer.field.maxDistance, unit)}.`,
     path ? t`Path ${measure(path.length, unit)}.` : null,
-    path && hasCosts ? t`Its cost ${measure(path.cost, unit)}.` : null,
+    path && isCost ? t`Its cost ${measure(path.cost, unit)}.` : null,
   );
 }

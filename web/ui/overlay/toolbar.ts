@@ -45,7 +45,7 @@ const TOOLS: readonly ToolButton[] = [
   {
     tool: 'measure',
     name: t('Measure'),
-    tip: t`Clicks measure between places (${keyName(KEYS.measure)}); Esc ends a tape`,
+    tip: t`Clicks measure between places (${keyName(KEYS.measure)}); the last place again ends a tape`,
     path: 'M3 13.500L13.500 3l3.500 3.500L6.500 17zM6 10.500l1.500 1.500M8.500 8l2 2M11 5.500l1.500 1.500',
   },
 ];

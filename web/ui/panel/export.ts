@@ -98,7 +98,7 @@ type Action = (name: Words, title: Words, work: () => Promise<Words | void> | Wo
 /** The engine where there is a field. */
 function asked(session: Session): Engine {
   if (!session.engine || !session.shown.value?.answer.field)
-    throw new Failure(t('There are no distances yet. Click the surface to place a source.'));
+    throw new Failure(t('There are no distances yet. Place a source on the surface.'));
   return session.engine;
 }
 
@@ -290,7 +290,7 @@ function pathControls(session: Session, action: Action): HTMLElement[] {
   const file = select(t('Path'), PATHS, (value) => (kind = value));
   const work = () => {
     const path = session.shown.value?.answer.path;
-    if (!path) throw new Failure(t('There is no path. Alt + click the surface to place a walker.'));
+    if (!path) throw new Failure(t('There is no path. Place a walker on the surface.'));
     const points = vectorsIn(path.places);
     save(new Blob([pathFile(kind, points, shownUnit(session))]), `${fileNameOf(session.shown.value)}.path.${kind}`);
   };

@@ -25,9 +25,9 @@ const TOOL_WORDS: Record<GroundTool, Words> = {
 
 const TOOL_HINTS: Record<GroundTool, Words> = {
   brush: t('Drag on the surface to paint. Drag beside it, or with ctrl, to orbit.'),
-  fill: t('Click an area: all of it that costs the same is painted.'),
-  line: t('Click one vertex after the other; Esc, or a click on the last one, ends the wall.'),
-  toggle: t('Click a wall or a gate to open it, or to close it again.'),
+  fill: t('Choose an area: all of it that costs the same is painted.'),
+  line: t('Mark one vertex after the other. The last one again, or Esc, ends the wall.'),
+  toggle: t('Choose a wall or a gate to open it, or to close it again.'),
 };
 
 const MATERIAL_WORDS: Record<Material, Words> = {
@@ -123,7 +123,7 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
     brush.show(editor.isOn);
     tool.show(chosen);
     const isLine = editor.lineEnd.value !== null;
-    say(hint, isLine ? t('Click the next vertex; Esc ends the wall.') : TOOL_HINTS[chosen]);
+    say(hint, isLine ? t('Mark the next vertex. The last one again, or Esc, ends the wall.') : TOOL_HINTS[chosen]);
     hint.hidden = !editor.isOn;
     for (const { material: other, swatch, button } of buttons) {
       button.setAttribute('aria-pressed', String(other === material));

@@ -24,7 +24,7 @@ export class MeasureSection {
     this.#input = input;
     const choose = h(
       'button',
-      { class: 'wide', title: withKey(t('Click places to measure between them'), KEYS.measure) },
+      { class: 'wide', title: withKey(t('Mark places to measure between them'), KEYS.measure) },
       t('Measure'),
     );
     choose.addEventListener('click', () => {
@@ -34,7 +34,9 @@ export class MeasureSection {
     const help = h(
       'p',
       { class: 'quiet' },
-      t('Click two places or more. Esc ends a tape, a click on its first place or a double click closes it.'),
+      t(
+        'Mark two places or more. The last one again, or Esc, ends the tape; the first one, or a double click, closes it.',
+      ),
     );
     this.element = h('div', { class: 'stack' }, choose, help);
     const isWanted = () => tool.value === 'measure' || session.scene.state.tapes.length > 0;

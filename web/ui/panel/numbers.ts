@@ -2,7 +2,7 @@ import type { PathKind } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { isSameUnit, type LengthUnit, unitOf } from '../../length';
-import { isWeighted } from '../../state/ground';
+import { hasCosts } from '../../state/ground';
 import { h, say } from '../dom';
 import { measure, threeDigits } from '../../state/measures';
 import { bytes, finePercent, milliseconds, percent, percentDown } from '../words';
@@ -59,7 +59,7 @@ function figures({ opened, answer, places }: Shown, unit: LengthUnit): [Words, W
     [t('Mean edge'), measure(opened.meanEdge, unit)],
     [t('Diameter'), measure(places.diameter, unit)],
     [
-      isWeighted(answer.question.ground) ? t('Greatest cost') : t('Maximum distance'),
+      hasCosts(answer.question.ground) ? t('Greatest cost') : t('Maximum distance'),
       field ? measure(field.maxDistance, unit) : '–',
     ],
     [t('Exact vertices'), field ? percentDown(field.exactShare) : '–'],

@@ -26,10 +26,10 @@ const HINTS: Record<Choice, Words> = {
   none: matchMedia('(pointer: coarse)').matches
     ? t('Choose what a tap draws.')
     : t('Shift + click draws a line along edges from the last source.'),
-  line: t('Click one vertex after the other. The first one closes the line; Esc, or the last one, ends it.'),
+  line: t('Mark one vertex after the other. The last one again, or Esc, ends the line; the first one closes it.'),
   stroke: t('Drag on the surface to draw. A stroke that ends where it began is closed.'),
-  boundary: t('Click near a boundary: all of its vertices are sources.'),
-  part: t('Click a part: all of its vertices are sources; of a model of one part, those of the component.'),
+  boundary: t('Choose a boundary: all of its vertices are sources.'),
+  part: t('Choose a part: all of its vertices are sources; of a model of one part, those of the component.'),
 };
 
 const TOO_MANY = t(

@@ -47,12 +47,12 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
     const { sources, sets } = scene.state;
     rows = [...sources, ...sets].map((_, index) => row(index));
     list.replaceChildren(...rows);
-    if (rows.length === 0) list.append(h('li', { class: 'quiet' }, t('No source: click the surface to set one.')));
+    if (rows.length === 0) list.append(h('li', { class: 'quiet' }, t('No source yet: set one on the surface.')));
   };
   const row = (index: number) => {
     const name = h('button', {
       class: 'source-name',
-      title: t('Select; arrows move it, Delete removes it'),
+      title: t('Select; arrows on the model move it, Delete removes it'),
       onclick: () => {
         const selected = scene.state.selected === index ? -1 : index;
         scene.set({ selected });

@@ -61,7 +61,7 @@ const turned: Show = async ({ view }, frames, signal, progress) => {
 };
 
 const walked: Show = async ({ view, walk }, frames, signal, progress) => {
-  if (walk.length === 0) throw new Failure(t('There is no walker. Alt + click the surface to place one.'));
+  if (walk.length === 0) throw new Failure(t('There is no walker. Place one on the surface.'));
   void walk.perform();
   const next = async (frame: number) => {
     await frames.advance(frame === 0 ? 0 : 1 / FRAMES_A_SECOND);

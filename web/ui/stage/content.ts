@@ -3,7 +3,7 @@ import type { Session } from '../../session/session';
 import { available } from '../../session/overlays';
 import { drawnPlace } from '../../session/nearest';
 import { inModel, ofModel, told, unitOf } from '../../length';
-import { isWeighted } from '../../state/ground';
+import { hasCosts } from '../../state/ground';
 import {
   coverage,
   largestWords,
@@ -82,7 +82,7 @@ export function contentOf(session: Session, isCompact: boolean): Content | null 
   const style = kind === 'distance' ? own : telling(own);
   const ofFile = style.surfaceOf === 'file' && opened.appearance !== null;
   const isSeen = !ofFile || (style.pattern !== 'none' && style.maps.includes('colour'));
-  const painted: Painted = { kind, most, isCost: isWeighted(answer.question.ground) };
+  const painted: Painted = { kind, most, isCost: hasCosts(answer.question.ground) };
   const spacing = spacingOf(style.pattern, painted, period);
   const bar = isKnown && isSeen && most > 0;
   const scale = scaleBarOf(session, LONGEST[form]);

@@ -4,6 +4,7 @@ import type { Signal } from '../../state/signal';
 import { CutHandle, cutOf } from '../cut';
 import { LineCorners } from '../input/corners';
 import type { DrawInput } from '../input/draw';
+import { keepFocus } from '../input/focus';
 import { Legend } from './legend';
 
 export interface Over {
@@ -11,9 +12,10 @@ export interface Over {
   follow(): void;
 }
 
-/** Puts all of it over the stage. */
+/** Puts all of it over the stage, which has the focus from then on where nothing else has. */
 export function over(session: Session, legend: Signal<boolean>, draw: DrawInput): Over {
   const parts = [new Legend(session, legend), new CutHandle(session, cutOf(session)), new LineCorners(session, draw)];
+  keepFocus(session.view.stage);
   session.view.stage.after(...parts.map(({ element }) => element));
   return {
     follow: () => {
