@@ -210,7 +210,7 @@ export const PAGE: Texts = {
   'Models measured': 'Modèles mesurés',
   'Precompute / solve, in milliseconds': 'Précalcul / résolution, en millisecondes',
   Model: 'Modèle',
-  'Measure Table 1': 'Mesurer la table 1',
+  'Measure Table 1': 'Mesurer le tableau 1',
   'Copy as Markdown': 'Copier en Markdown',
   'Save as CSV': 'Enregistrer en CSV',
   'Measure convergence': 'Mesurer la convergence',
@@ -234,8 +234,8 @@ export const PAGE: Texts = {
     'Terminé. Tout autre travail de cet appareil allonge les temps.',
   'Cancelled.': 'Annulé.',
   'The clipboard is not available. Save the table as CSV.':
-    'Le presse-papiers n’est pas disponible. Enregistrez la table en CSV.',
-  'Table 1 of the report': 'Table 1 du rapport',
+    'Le presse-papiers n’est pas disponible. Enregistrez le tableau en CSV.',
+  'Table 1 of the report': 'Tableau 1 du rapport',
   'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of about as many triangles. The report measured by ALGLIB in C# on a laptop of 2015.':
     'Le gradient conjugué (CG) face aux facteurs de Cholesky, par la méthode du rapport, sur des modèles d’à peu près autant de triangles. Le rapport a mesuré par ALGLIB en C# sur un ordinateur portable de 2015.',
   'Costs and walls of the triangles before are not those of others: Back brings them back.':
