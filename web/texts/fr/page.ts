@@ -160,7 +160,6 @@ export const PAGE: Texts = {
   'm = 1 and m = 1000': 'm = 1 et m = 1000',
   'Cholesky and conjugate gradients, m = 100': 'Cholesky et gradient conjugué, m = 100',
   '1 unit': '1 unité',
-  'Time step m': 'Pas de temps m',
   'Measure times': 'Mesurer les temps',
   'Runs of both sides': 'Exécutions des deux côtés',
   'There is nothing to compare yet.': 'Il n’y a encore rien à comparer.',
