@@ -189,7 +189,7 @@ test('a stroke is drawn by hand and closed where it began; a part by a click; a 
   await expect(rows(heatwalk)).toHaveText([`Vertex ${at(3, 4).vertex}`]);
   await field.fill(String(at(3, 4).vertex));
   await field.press('Enter');
-  await expect(page.getByText('This vertex is a source already.')).toBeVisible();
+  await expect(page.getByText('This place is a source already.')).toBeVisible();
   await expect(rows(heatwalk)).toHaveCount(1);
   await field.fill('0.3 0.3 1');
   await field.press('Enter');

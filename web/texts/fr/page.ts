@@ -365,7 +365,7 @@ export const PAGE: Texts = {
   'There is no mesh yet.': 'Il n’y a pas encore de maillage.',
   'Added, {0} away from there.': 'Ajoutée, à {0} de là.',
   'Added.': 'Ajoutée.',
-  'This vertex is a source already.': 'Ce sommet est déjà une source.',
+  'This place is a source already.': 'Cet endroit est déjà une source.',
   '{0}: no triangle has vertex {1}.': '{0} : aucun triangle n’a le sommet {1}.',
   '{0}: there is no vertex {1}; the mesh has {2}, counted from 0.':
     '{0} : il n’y a pas de sommet {1} ; le maillage en a {2}, comptés à partir de 0.',
