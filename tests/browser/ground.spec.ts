@@ -1,5 +1,6 @@
 import { grid, off } from '../fixtures';
 import { expect, type HeatwalkPage, openSection, test } from '../page';
+import { cubeMsh } from '../tetrahedra';
 
 const N = 24;
 const GRID = off(grid(N));
@@ -179,6 +180,21 @@ test('with a modifier the brush lets the camera move', async ({ heatwalk, page }
   await page.keyboard.up('Control');
   await expect.poll(yaw).not.toBeCloseTo(before, 2);
   expect(await painted(heatwalk)).toBe(0);
+});
+
+test('the brush is put away inside of tetrahedra, where its button and its key say why', async ({ heatwalk, page }) => {
+  await openGrid(heatwalk);
+  await page.keyboard.press('b');
+  const brush = page.getByRole('toolbar').getByRole('button', { name: 'Brush' });
+  await expect(brush).toHaveAttribute('aria-pressed', 'true');
+  await heatwalk.dropAndOpen([['cube.msh', cubeMsh(2)]]);
+  await expect(brush).toHaveAttribute('aria-pressed', 'false');
+  await expect(brush).toBeDisabled();
+  await expect(brush).toHaveAttribute('title', 'Inside of tetrahedra there is no ground.');
+  await page.keyboard.press('b');
+  await expect(page.getByRole('alert')).toContainText('Inside of tetrahedra there is no ground.');
+  await heatwalk.dropAndOpen([['grid.off', GRID]]);
+  await expect(brush).toBeEnabled();
 });
 
 test('a table of costs that is dropped is painted, and one that is none is named', async ({ heatwalk, page }) => {
