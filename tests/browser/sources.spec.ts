@@ -59,6 +59,8 @@ test('a line, a boundary and a list are entries of the list, with undo, and the 
 
   await paste(heatwalk, `vertex,offset\n${at(20, 4).vertex},0\n${at(20, 5).vertex},0\n9999,0`);
   await expect(page.getByText('List, line 4: there is no vertex 9999')).toBeVisible();
+  await paste(heatwalk, '9999');
+  await expect(page.getByText('What was pasted: there is no vertex 9999')).toBeVisible();
   await expect(rows(heatwalk)).toHaveCount(2);
   // Its last corner is dragged, and the line is found anew; that is one step of undo.
   const [from, to] = [await heatwalk.pixelOf(at(12, 18)), await heatwalk.pixelOf(at(20, 18))];
@@ -191,6 +193,9 @@ test('a stroke is drawn by hand and closed where it began; a part by a click; a 
   await field.press('Enter');
   await expect(page.getByText('This place is a source already.')).toBeVisible();
   await expect(rows(heatwalk)).toHaveCount(1);
+  await field.fill('9999');
+  await field.press('Enter');
+  await expect(page.getByText('What was typed: there is no vertex 9999;')).toBeVisible();
   await field.fill('0.3 0.3 1');
   await field.press('Enter');
   await expect(page.getByText('Added, 1 m (assumed) away from there.')).toBeVisible();

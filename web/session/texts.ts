@@ -3,7 +3,7 @@ import { addressIn, hostOf } from '../files/address';
 import { fileName } from '../files/paths';
 import { detailsOf, sentenceOf } from '../error';
 import type { InputFile } from '../protocol';
-import { isList, isNamedList } from '../state/list';
+import { isList, isNamedList, isOneLine } from '../state/list';
 import type { GroundEditor } from './ground';
 import type { Notifier } from './notifier';
 import type { Session } from './session';
@@ -47,7 +47,7 @@ export async function takePasted(session: Session, notifier: Notifier, text: str
 /** Adds a list; stray numbers that lie elsewhere than the model only once the user says so. */
 async function offerList(session: Session, notifier: Notifier, text: string): Promise<void> {
   const { placeList } = await import('./sets');
-  const list = placeList(session, String(t('List')), text);
+  const list = placeList(session, String(isOneLine(text) ? t('What was pasted') : t('List')), text);
   // A heading says what is meant.
   if (!list.isFar || isNamedList(text)) {
     notifier.remark(list.add());
