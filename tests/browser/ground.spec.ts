@@ -209,6 +209,15 @@ test('a table of costs that is dropped is painted, and one that is none is named
   await page.keyboard.press('Control+z');
   await heatwalk.settled();
   expect(await heatwalk.distanceAt(BEHIND)).toBeCloseTo(18 / N, 5);
+
+  await heatwalk.drop([
+    ['costs.csv', '0,2'],
+    ['more.csv', '1,2'],
+  ]);
+  await expect(page.getByRole('alert')).toContainText(
+    'costs.csv and more.csv are tables, of which one is taken at a time.',
+  );
+  expect(await painted(heatwalk)).toBe(0);
 });
 
 test('what a file says that its vertices cost is painted by a button', async ({ heatwalk, page }) => {

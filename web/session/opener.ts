@@ -105,9 +105,9 @@ export class Opener {
       this.#notifier.fail(t`${title} is empty: nothing is in it. Save or copy it again.`, only.path);
       return;
     }
-    if (only && more.length === 0 && isTable(only.path)) {
+    if (only && given.every(({ path }) => isTable(path))) {
       const { takeTable } = await import('./texts');
-      await takeTable(this.#session, this.#notifier, this.#ground, only);
+      await takeTable(this.#session, this.#notifier, this.#ground, given);
       return;
     }
     if (only && more.length === 0 && isArchive(only.path) && (await this.#scene(title, only.content))) return;

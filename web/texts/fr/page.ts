@@ -6,6 +6,8 @@ export const PAGE: Texts = {
     'Cette adresse de {0} ne nomme aucun maillage ; s’il y en a un, ouvrez-la par le menu à côté du nom.',
   'What was pasted, “{0}”, is no mesh, no address of one, no link and no list of sources. Nothing has changed.':
     'Le texte collé, « {0} », n’est ni un maillage, ni l’adresse d’un maillage, ni un lien, ni une liste de sources. Rien n’a changé.',
+  '{0} are tables, of which one is taken at a time. Nothing has changed.':
+    '{0} sont des tableaux, et un seul est pris à la fois. Rien n’a changé.',
   'What was pasted': 'Le texte collé',
   'What was typed': 'Le texte saisi',
   'The numbers pasted ({0} place) lie {1} away from the model. Nothing has changed.':
