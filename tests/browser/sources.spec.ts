@@ -39,8 +39,16 @@ test('a line, a boundary and a list are entries of the list, with undo, and the 
   // Exact in the plane: a corner of the line is the nearest place of it, or a vertex in its middle.
   expect(await heatwalk.distanceAt(at(18, 18))).toBeCloseTo(6 / N, 5);
   expect(await heatwalk.distanceAt(at(9, 9))).toBeCloseTo(3 / N, 5);
-  await page.getByRole('spinbutton', { name: 'Initial distance of source 1' }).fill('0.5');
+  const initial = page.getByRole('spinbutton', { name: 'Initial distance of source 1' });
+  await initial.fill('0.5');
   await expect.poll(() => heatwalk.distanceAt(at(9, 12))).toBeCloseTo(0.5, 5);
+  await initial.fill('-1');
+  const why = page.getByText('An initial distance is a number, 0 or more.');
+  await initial.blur();
+  await expect(initial).toHaveValue('0.5');
+  await expect(why).toBeVisible();
+  await initial.fill('0.5');
+  await expect(why).toBeHidden();
   await page.keyboard.press('Escape');
   await page.locator('.stage').focus();
   await page.keyboard.press('Escape');

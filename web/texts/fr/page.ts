@@ -283,6 +283,7 @@ export const PAGE: Texts = {
   '{0}: “{1}” is no source. {2}': '{0} : « {1} » n’est pas une source. {2}',
   '{0}: “{1}” has a decimal comma; write a point.': '{0} : « {1} » a une virgule décimale ; écrivez un point.',
   '{0} has more cells than the first row has names.': '{0} a plus de cases que la première ligne n’a de noms.',
+  'An initial distance is a number, 0 or more.': 'Une distance initiale est un nombre, 0 ou plus.',
   '{0}: an initial distance is a number from 0 on, not “{1}”.':
     '{0} : une distance initiale est un nombre à partir de 0, non « {1} ».',
   '{0}: a vertex is a whole number from 0 on, not “{1}”.':
