@@ -344,6 +344,10 @@ export class Opener {
       if (hasLost(request.state, this.#session.scene.state)) {
         this.#notifier.notice(t('Some sources of the link are not on this mesh and were removed.'));
       }
+      const { links } = shown.answer.factoring;
+      if (state.links > links) {
+        this.#notifier.notice(t`The link asks for links=${state.links}; no more than ${links} can be made.`);
+      }
       if (isPainted(request.state.ground) && !isPainted(this.#session.scene.state.ground)) {
         this.#notifier.notice(t('The ground of the link is of another mesh and was removed.'));
       }

@@ -356,6 +356,8 @@ export const PAGE: Texts = {
   'Open the mesh again': 'Rouvrir le maillage',
   'Some sources of the link are not on this mesh and were removed.':
     'Certaines sources du lien ne sont pas sur ce maillage et ont été enlevées.',
+  'The link asks for links={0}; no more than {1} can be made.':
+    'Le lien demande links={0} ; il ne peut pas y en avoir plus de {1}.',
   'The animation of the link is not in this mesh and was left out.':
     'L’animation du lien n’est pas dans ce maillage et a été laissée de côté.',
   'The ground of the link is of another mesh and was removed.':
