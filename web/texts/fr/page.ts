@@ -437,7 +437,7 @@ export const PAGE: Texts = {
   glow: 'lueur',
   viridis: 'viridis',
   'single color': 'une seule couleur',
-  "the file's materials": 'les matériaux du fichier',
+  "the file's materials": 'matériaux du fichier',
   '{0} {1}': '{0} {1}',
   '{0} (assumed)': '{0} (supposé)',
   '{0} ({1})': '{0} ({1})',
