@@ -33,6 +33,16 @@ test('distance along the path falls by what is walked', async ({ heatwalk, page 
   for (const [walked, left] of rows) expect(walked + left).toBeCloseTo(Math.SQRT2, 9);
 });
 
+test('labels of the vertical axis stand beside its title, however large values are', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('square.off', off(grid(N)), `s=0&w=${CORNER}&method=exact&scale=1000000`);
+  await heatwalk.settled();
+  const chart = (await chartsOf(page)).getByRole('img', { name: /^Distance along the path/ });
+  const sides = (texts: string) =>
+    chart.locator(texts).evaluateAll((all) => all.map((each) => each.getBoundingClientRect()));
+  const [title] = await sides('text[transform]');
+  for (const { left } of await sides('text[dy]')) expect(left).toBeGreaterThan(title.right);
+});
+
 test('residuals of both linear solvers are charted for fields by heat', async ({ heatwalk, page }) => {
   await heatwalk.open('#m=torus');
   await heatwalk.settled();

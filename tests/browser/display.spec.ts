@@ -94,7 +94,7 @@ test(
 test('the error is shown once it is known', { tag: '@page' }, async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny&refine=0');
   await openSection(page, 'display');
-  await page.getByLabel('Color by').selectOption('error before refinement');
+  await page.getByLabel('Color by').selectOption('unrefined error');
   await expect(page.getByText('The error is known once all distances are exact.')).toBeVisible();
   await heatwalk.open('#v=1&m=bunny&paint=error');
   await openSection(page, 'display');

@@ -1,5 +1,6 @@
 import { grid, off } from '../fixtures';
 import { expect, type HeatwalkPage, openSection, test } from '../page';
+import { cubeMsh } from '../tetrahedra';
 
 const N = 24;
 const GRID = off(grid(N));
@@ -196,6 +197,21 @@ test('with a modifier the brush lets the camera move', async ({ heatwalk, page }
   expect(await painted(heatwalk)).toBe(0);
 });
 
+test('the brush is put away inside of tetrahedra, where its button and its key say why', async ({ heatwalk, page }) => {
+  await openGrid(heatwalk);
+  await page.keyboard.press('b');
+  const brush = page.getByRole('toolbar').getByRole('button', { name: 'Brush' });
+  await expect(brush).toHaveAttribute('aria-pressed', 'true');
+  await heatwalk.dropAndOpen([['cube.msh', cubeMsh(2)]]);
+  await expect(brush).toHaveAttribute('aria-pressed', 'false');
+  await expect(brush).toBeDisabled();
+  await expect(brush).toHaveAttribute('title', 'Inside of tetrahedra there is no ground.');
+  await page.keyboard.press('b');
+  await expect(page.getByRole('alert')).toContainText('Inside of tetrahedra there is no ground.');
+  await heatwalk.dropAndOpen([['grid.off', GRID]]);
+  await expect(brush).toBeEnabled();
+});
+
 test('a table of costs that is dropped is painted, and one that is none is named', async ({ heatwalk, page }) => {
   await openGrid(heatwalk);
   const rows = Array.from({ length: 2 * N * N }, (_, triangle) => `${triangle},2`);
@@ -208,6 +224,15 @@ test('a table of costs that is dropped is painted, and one that is none is named
   await page.keyboard.press('Control+z');
   await heatwalk.settled();
   expect(await heatwalk.distanceAt(BEHIND)).toBeCloseTo(18 / N, 5);
+
+  await heatwalk.drop([
+    ['costs.csv', '0,2'],
+    ['more.csv', '1,2'],
+  ]);
+  await expect(page.getByRole('alert')).toContainText(
+    'costs.csv and more.csv are tables, of which one is taken at a time.',
+  );
+  expect(await painted(heatwalk)).toBe(0);
 });
 
 test('what a file says that its vertices cost is painted by a button', async ({ heatwalk, page }) => {

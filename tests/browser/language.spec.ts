@@ -107,6 +107,12 @@ test('French is chosen in the help at once: the scene, undo, what is open and th
   await expect(page.locator('html')).toHaveAttribute('lang', 'fr');
   await expect(page.getByRole('dialog', { name: 'Aide' })).toContainText('Tourner autour');
   await expect(page.getByRole('dialog').locator('kbd', { hasText: 'Échap' })).toBeVisible();
+  // The help fits the narrowest window.
+  const size = page.viewportSize() ?? { width: 0, height: 0 };
+  await page.setViewportSize({ width: 320, height: 640 });
+  const help = page.getByRole('dialog', { name: 'Aide' });
+  expect(await help.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
+  await page.setViewportSize(size);
   await page.keyboard.press('Escape');
   await expect(page.getByText('Aucun maillage trouvé dans leer.txt')).toBeVisible();
   await expect(page.locator('#section-numbers')).toContainText(/Distance maximale\d,\d+ unités/);

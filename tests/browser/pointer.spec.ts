@@ -269,8 +269,12 @@ test('the keyboard sets, adds and deletes sources at the reticle', async ({ heat
   await heatwalk.rest();
   await page.keyboard.press('Shift+Enter');
   await sourceCount(heatwalk, 2);
+  // The same place once more is the same source.
+  await page.keyboard.press('Shift+Enter');
+  await page.keyboard.press('Escape');
   await page.keyboard.press('w');
   await expect.poll(async () => (await heatwalk.scene()).walker).toHaveProperty('face');
+  await sourceCount(heatwalk, 2);
 
   await page.locator('.source-name').first().click();
   expect((await heatwalk.scene()).selected).toBe(0);

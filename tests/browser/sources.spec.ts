@@ -39,8 +39,16 @@ test('a line, a boundary and a list are entries of the list, with undo, and the 
   // Exact in the plane: a corner of the line is the nearest place of it, or a vertex in its middle.
   expect(await heatwalk.distanceAt(at(18, 18))).toBeCloseTo(6 / N, 5);
   expect(await heatwalk.distanceAt(at(9, 9))).toBeCloseTo(3 / N, 5);
-  await page.getByRole('spinbutton', { name: 'Initial distance of source 1' }).fill('0.5');
+  const initial = page.getByRole('spinbutton', { name: 'Initial distance of source 1' });
+  await initial.fill('0.5');
   await expect.poll(() => heatwalk.distanceAt(at(9, 12))).toBeCloseTo(0.5, 5);
+  await initial.fill('-1');
+  const why = page.getByText('An initial distance is a number, 0 or more.');
+  await initial.blur();
+  await expect(initial).toHaveValue('0.5');
+  await expect(why).toBeVisible();
+  await initial.fill('0.5');
+  await expect(why).toBeHidden();
   await page.keyboard.press('Escape');
   await page.locator('.stage').focus();
   await page.keyboard.press('Escape');
@@ -59,6 +67,8 @@ test('a line, a boundary and a list are entries of the list, with undo, and the 
 
   await paste(heatwalk, `vertex,offset\n${at(20, 4).vertex},0\n${at(20, 5).vertex},0\n9999,0`);
   await expect(page.getByText('List, line 4: there is no vertex 9999')).toBeVisible();
+  await paste(heatwalk, '9999');
+  await expect(page.getByText('What was pasted: there is no vertex 9999')).toBeVisible();
   await expect(rows(heatwalk)).toHaveCount(2);
   // Its last corner is dragged, and the line is found anew; that is one step of undo.
   const [from, to] = [await heatwalk.pixelOf(at(12, 18)), await heatwalk.pixelOf(at(20, 18))];
@@ -189,8 +199,11 @@ test('a stroke is drawn by hand and closed where it began; a part by a click; a 
   await expect(rows(heatwalk)).toHaveText([`Vertex ${at(3, 4).vertex}`]);
   await field.fill(String(at(3, 4).vertex));
   await field.press('Enter');
-  await expect(page.getByText('This vertex is a source already.')).toBeVisible();
+  await expect(page.getByText('This place is a source already.')).toBeVisible();
   await expect(rows(heatwalk)).toHaveCount(1);
+  await field.fill('9999');
+  await field.press('Enter');
+  await expect(page.getByText('What was typed: there is no vertex 9999;')).toBeVisible();
   await field.fill('0.3 0.3 1');
   await field.press('Enter');
   await expect(page.getByText('Added, 1 m (assumed) away from there.')).toBeVisible();

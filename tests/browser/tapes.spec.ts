@@ -144,6 +144,20 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone, sha
   expect(file).not.toContain('var(');
 });
 
+test('a known length corrects the size, and leaves the unit that lengths are converted to', async ({
+  heatwalk,
+  page,
+}) => {
+  const options = `tape=${at(0, 0).vertex},${at(N, 0).vertex}&unit=m&shown=mm`;
+  await heatwalk.openInSection('measure', 'grid.off', off(grid(N)), options);
+  const section = page.locator('#section-measure');
+  await expect(section.locator('.tape-head')).toContainText('1000 mm');
+  await section.getByRole('spinbutton', { name: 'Known length of tape 1' }).fill('3.4');
+  await section.getByRole('combobox', { name: 'Unit of the known length' }).selectOption('cm');
+  await section.getByRole('button', { name: 'Set scale' }).click();
+  await expect(section.locator('.tape-head')).toContainText('34 mm');
+});
+
 test('scripts that wait until the page has settled have the lengths of tapes', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny&refine=0');
   for (let i = 0; i < 3; i++) {

@@ -75,10 +75,20 @@ test('a set is one step of undo, is selected, and is removed and moved by nothin
   expect(allSources(scene.state)).toEqual([{ vertex: 9 }]);
 });
 
-test('a vertex that is given twice is one source, with its least initial distance', () => {
-  const inFace = { face: 3, weights: [1, 0, 0] } as const;
-  const given = [{ vertex: 5, offset: 2 }, inFace, { vertex: 7 }, { vertex: 5, offset: 1 }, { vertex: 7, offset: 3 }];
-  expect(onceEach(given as Source[])).toEqual([{ vertex: 5, offset: 1 }, inFace, { vertex: 7 }]);
+test('a place that is given twice is one source, with its least initial distance', () => {
+  const inFace: Source = { face: 3, weights: [0.5, 0.25, 0.25] };
+  const again: Source = { face: 3, weights: [0.5, 0.25, 0.25] };
+  const elsewhere: Source = { face: 3, weights: [0.25, 0.5, 0.25] };
+  const given: Source[] = [
+    { vertex: 5, offset: 2 },
+    inFace,
+    { vertex: 7 },
+    { vertex: 5, offset: 1 },
+    again,
+    { vertex: 7, offset: 3 },
+  ];
+  expect(onceEach([inFace, elsewhere])).toEqual([inFace, elsewhere]);
+  expect(onceEach(given)).toEqual([{ vertex: 5, offset: 1 }, inFace, { vertex: 7 }]);
   expect(SOURCES.parse('7,7,5@2,5')).toEqual([{ vertex: 7 }, { vertex: 5 }]);
 
   const scene = fresh();

@@ -28,6 +28,8 @@ const GRIP_PX = 9;
 /** Radius of the ring around the end of a wall, as a share of the diameter. */
 const MARK = 0.008;
 
+export const NO_GROUND = t('Inside of tetrahedra there is no ground.');
+
 /** A stroke under way. */
 interface Painting {
   stroke: Stroke;
@@ -58,6 +60,7 @@ export class GroundEditor {
     });
     session.shown.watch((shown, previous) => {
       if (shown?.opened !== previous?.opened) this.endLine();
+      if (this.isOn && !this.isThere) tool.value = 'source';
       void this.#learn();
     });
   }
@@ -69,7 +72,13 @@ export class GroundEditor {
   /** The pointer paints with what is chosen. */
   take(change: Partial<Brush>): void {
     this.set(change);
-    this.#tool.value = 'brush';
+    if (this.isThere) this.#tool.value = 'brush';
+    else this.#session.fail(new Failure(NO_GROUND));
+  }
+
+  /** Whether the mesh on screen has a ground: tetrahedra have none. */
+  get isThere(): boolean {
+    return !this.#session.shown.value?.opened.interior;
   }
 
   /** Whether the pointer paints. */

@@ -105,9 +105,9 @@ export class Opener {
       this.#notifier.fail(t`${title} is empty: nothing is in it. Save or copy it again.`, only.path);
       return;
     }
-    if (only && more.length === 0 && isTable(only.path)) {
+    if (only && given.every(({ path }) => isTable(path))) {
       const { takeTable } = await import('./texts');
-      await takeTable(this.#session, this.#notifier, this.#ground, only);
+      await takeTable(this.#session, this.#notifier, this.#ground, given);
       return;
     }
     if (only && more.length === 0 && isArchive(only.path) && (await this.#scene(title, only.content))) return;
@@ -344,6 +344,10 @@ export class Opener {
       }
       if (hasLost(wanted, state)) {
         this.#notifier.notice(t('Some sources of the link are not on this mesh and were removed.'));
+      }
+      const { links } = shown.answer.factoring;
+      if (state.links > links) {
+        this.#notifier.notice(t`The link asks for links=${state.links}; no more than ${links} can be made.`);
       }
       if (isPainted(wanted.ground) && !isPainted(state.ground)) {
         this.#notifier.notice(t('The ground of the link is of another mesh and was removed.'));

@@ -188,7 +188,7 @@ export function placeList(session: Session, name: string, text: string): PlacedL
   const add = () => {
     const [first, ...others] = placed;
     if (first && others.length === 0) {
-      if (!addSource(scene, first.source)) return t('This vertex is a source already.');
+      if (!addSource(scene, first.source)) return t('This place is a source already.');
       return 'coordinates' in first.row.place ? t`Added, ${away} away from there.` : t('Added.');
     }
     const points = inOrder(placed.map(({ source }) => source));

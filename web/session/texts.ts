@@ -1,27 +1,32 @@
 /** Texts that are pasted, and tables that come as files. Fetched with the first of these. */
 import { addressIn, hostOf } from '../files/address';
 import { fileName } from '../files/paths';
-import { detailsOf, sentenceOf } from '../error';
+import { detailsOf, Failure, sentenceOf } from '../error';
 import type { InputFile } from '../protocol';
-import { isList, isNamedList } from '../state/list';
+import { isList, isNamedList, isOneLine } from '../state/list';
 import type { GroundEditor } from './ground';
 import type { Notifier } from './notifier';
 import type { Session } from './session';
-import { counted, t } from '../texts';
+import { counted, enumerated, t } from '../texts';
 
 /** Letters of a text that a message repeats. */
 const TOLD_LETTERS = 40;
 
-/** Adds sources to the mesh on screen, or paints its ground: what a heading says, and without one the ground. */
+/** Adds sources to the mesh on screen, or paints its ground: what a heading says, and without one the ground. Takes one table alone. */
 export async function takeTable(
   session: Session,
   notifier: Notifier,
   ground: GroundEditor,
-  { path, content }: InputFile,
+  tables: readonly InputFile[],
 ): Promise<void> {
-  const name = fileName(path);
-  const text = await content.text();
   await reported(notifier, async () => {
+    const [table] = tables;
+    if (!table || tables.length > 1) {
+      const names = enumerated(tables.map(({ path }) => fileName(path)));
+      throw new Failure(t`${names} are tables, of which one is taken at a time. Nothing has changed.`);
+    }
+    const name = fileName(table.path);
+    const text = await table.content.text();
     if (!isNamedList(text)) return ground.paintRows(name, text);
     const { addList } = await import('./sets');
     notifier.remark(addList(session, name, text));
@@ -47,7 +52,7 @@ export async function takePasted(session: Session, notifier: Notifier, text: str
 /** Adds a list; stray numbers that lie elsewhere than the model only once the user says so. */
 async function offerList(session: Session, notifier: Notifier, text: string): Promise<void> {
   const { placeList } = await import('./sets');
-  const list = placeList(session, String(t('List')), text);
+  const list = placeList(session, String(isOneLine(text) ? t('What was pasted') : t('List')), text);
   // A heading says what is meant.
   if (!list.isFar || isNamedList(text)) {
     notifier.remark(list.add());

@@ -5,14 +5,14 @@ import type { Inside } from './inside';
 import type { Scene } from './history';
 import type { ModelLength } from '../length';
 import { upOf } from './scene';
-import { isSameVertex, onceEach, type SourceSet, withOffset } from './sources';
+import { isSamePlace, onceEach, type SourceSet, withOffset } from './sources';
 import { entry } from './entry';
 
 export function setSource(scene: Scene, point: MeshPoint): void {
   scene.edit({ sources: [point], sets: [], selected: -1 });
 }
 
-/** False: a vertex that is a source already, which is selected then. */
+/** False: a place that is a source already, which is selected then. */
 export function addSource(scene: Scene, source: Source): boolean {
   const before = scene.state.sources;
   const sources = onceEach([...before, source]);
@@ -21,7 +21,7 @@ export function addSource(scene: Scene, source: Source): boolean {
     scene.edit({ sources, selected: sources.length > before.length ? -1 : index });
     return true;
   }
-  scene.set({ selected: before.findIndex((other) => isSameVertex(other, source)) });
+  scene.set({ selected: before.findIndex((other) => isSamePlace(other, source)) });
   return false;
 }
 

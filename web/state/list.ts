@@ -36,6 +36,11 @@ interface Columns {
   offset: number;
 }
 
+/** Whether it is one row alone, and no list. */
+export function isOneLine(text: string): boolean {
+  return rowsIn(text).length === 1;
+}
+
 /** Whether the first row says that the others are sources. */
 export function isNamedList(text: string): boolean {
   const [first] = rowsIn(text);

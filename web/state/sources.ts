@@ -68,21 +68,27 @@ export function withOffset(point: MeshPoint, offset: number): Source {
   return offset > 0 ? { ...place, offset } : place;
 }
 
-export function isSameVertex(one: MeshPoint, other: MeshPoint): boolean {
-  return 'vertex' in one && 'vertex' in other && one.vertex === other.vertex;
+export function isSamePlace(one: MeshPoint, other: MeshPoint): boolean {
+  return keyOf(one) === keyOf(other);
 }
 
-/** A vertex that is there more than once is one source, where it comes first, with the least of its initial distances. */
+/** A place that is there more than once is one source, where it comes first, with the least of its initial distances. */
 export function onceEach(sources: readonly Source[]): readonly Source[] {
   const once: Source[] = [];
-  const places = new Map<number, number>();
+  const places = new Map<string, number>();
   for (const source of sources) {
-    const place = 'vertex' in source ? (places.get(source.vertex) ?? once.length) : once.length;
-    if ('vertex' in source) places.set(source.vertex, place);
+    const key = keyOf(source);
+    const place = places.get(key) ?? once.length;
+    places.set(key, place);
     const before = once[place];
     if (!before || (source.offset ?? 0) < (before.offset ?? 0)) once[place] = source;
   }
   return once;
+}
+
+/** The same of equal places of a mesh. */
+function keyOf(point: MeshPoint): string {
+  return [indexOf(point), ...('weights' in point ? point.weights : [])].join();
 }
 
 /** Without what else there may be. */

@@ -55,7 +55,10 @@ export function commandsOf(options: CommandsOptions): readonly Command[] {
   return [
     ...TOOLS.map(([which, name]) => command(name, [KEYS[which]], () => (tool.value = which))),
     command(t('Measure from the walker to the source'), [KEYS.tape], () => measureWalk(session)),
-    command(t('Brush on or off'), [KEYS.brush], () => (tool.value = ground.isOn ? 'source' : 'brush')),
+    command(t('Brush on or off'), [KEYS.brush], () => {
+      if (ground.isOn) tool.value = 'source';
+      else ground.take({});
+    }),
     command(t('Smaller brush'), [KEYS.smaller], () => resizeBrush(ground, 1 / BRUSH_STEP)),
     command(t('Larger brush'), [KEYS.larger], () => resizeBrush(ground, BRUSH_STEP)),
     command(t('Frame the model'), [KEYS.fit], () => moved(options, () => view.frame())),

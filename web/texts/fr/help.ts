@@ -221,7 +221,7 @@ export const HELP: Texts = {
     'Un pas, ou des valeurs séparées par des points-virgules ; la période des bandes si c’est vide.',
   'Curves, or the surface cut along them into strips, also unrolled.':
     'Des courbes, ou la surface découpée le long de celles-ci en bandes, dépliées aussi.',
-  'A number a vertex, as a table or with the mesh.': 'Un nombre par sommet, en table ou avec le maillage.',
+  'A number a vertex, as a table or with the mesh.': 'Un nombre par sommet, en tableau ou avec le maillage.',
   'The places that the walker comes through.': 'Les endroits par où passe le marcheur.',
   'The ways of the crowd, one for each walker.': 'Les trajets de la foule, un par marcheur.',
   'The lines that give the same numbers outside of the page.':

@@ -6,6 +6,10 @@ export const PAGE: Texts = {
     'Cette adresse de {0} ne nomme aucun maillage ; s’il y en a un, ouvrez-la par le menu à côté du nom.',
   'What was pasted, “{0}”, is no mesh, no address of one, no link and no list of sources. Nothing has changed.':
     'Le texte collé, « {0} », n’est ni un maillage, ni l’adresse d’un maillage, ni un lien, ni une liste de sources. Rien n’a changé.',
+  '{0} are tables, of which one is taken at a time. Nothing has changed.':
+    '{0} sont des tableaux, et un seul est pris à la fois. Rien n’a changé.',
+  'What was pasted': 'Le texte collé',
+  'What was typed': 'Le texte saisi',
   'The numbers pasted ({0} place) lie {1} away from the model. Nothing has changed.':
     'Les nombres collés ({0} endroit) s’écartent du modèle de {1}. Rien n’a changé.',
   'The numbers pasted ({0} places) lie up to {1} away from the model. Nothing has changed.':
@@ -160,7 +164,6 @@ export const PAGE: Texts = {
   'm = 1 and m = 1000': 'm = 1 et m = 1000',
   'Cholesky and conjugate gradients, m = 100': 'Cholesky et gradient conjugué, m = 100',
   '1 unit': '1 unité',
-  'Time step m': 'Pas de temps m',
   'Measure times': 'Mesurer les temps',
   'Runs of both sides': 'Exécutions des deux côtés',
   'There is nothing to compare yet.': 'Il n’y a encore rien à comparer.',
@@ -210,7 +213,7 @@ export const PAGE: Texts = {
   'Models measured': 'Modèles mesurés',
   'Precompute / solve, in milliseconds': 'Précalcul / résolution, en millisecondes',
   Model: 'Modèle',
-  'Measure Table 1': 'Mesurer la table 1',
+  'Measure Table 1': 'Mesurer le tableau 1',
   'Copy as Markdown': 'Copier en Markdown',
   'Save as CSV': 'Enregistrer en CSV',
   'Measure convergence': 'Mesurer la convergence',
@@ -234,8 +237,8 @@ export const PAGE: Texts = {
     'Terminé. Tout autre travail de cet appareil allonge les temps.',
   'Cancelled.': 'Annulé.',
   'The clipboard is not available. Save the table as CSV.':
-    'Le presse-papiers n’est pas disponible. Enregistrez la table en CSV.',
-  'Table 1 of the report': 'Table 1 du rapport',
+    'Le presse-papiers n’est pas disponible. Enregistrez le tableau en CSV.',
+  'Table 1 of the report': 'Tableau 1 du rapport',
   'Conjugate gradients (CG) beside Cholesky factors, by the method of the report, on models of about as many triangles. The report measured by ALGLIB in C# on a laptop of 2015.':
     'Le gradient conjugué (CG) face aux facteurs de Cholesky, par la méthode du rapport, sur des modèles d’à peu près autant de triangles. Le rapport a mesuré par ALGLIB en C# sur un ordinateur portable de 2015.',
   'Costs and walls of the triangles before are not those of others: Back brings them back.':
@@ -280,6 +283,7 @@ export const PAGE: Texts = {
   '{0}: “{1}” is no source. {2}': '{0} : « {1} » n’est pas une source. {2}',
   '{0}: “{1}” has a decimal comma; write a point.': '{0} : « {1} » a une virgule décimale ; écrivez un point.',
   '{0} has more cells than the first row has names.': '{0} a plus de cases que la première ligne n’a de noms.',
+  'An initial distance is a number, 0 or more.': 'Une distance initiale est un nombre, 0 ou plus.',
   '{0}: an initial distance is a number from 0 on, not “{1}”.':
     '{0} : une distance initiale est un nombre à partir de 0, non « {1} ».',
   '{0}: a vertex is a whole number from 0 on, not “{1}”.':
@@ -352,6 +356,8 @@ export const PAGE: Texts = {
   'Open the mesh again': 'Rouvrir le maillage',
   'Some sources of the link are not on this mesh and were removed.':
     'Certaines sources du lien ne sont pas sur ce maillage et ont été enlevées.',
+  'The link asks for links={0}; no more than {1} can be made.':
+    'Le lien demande links={0} ; il ne peut pas y en avoir plus de {1}.',
   'The animation of the link is not in this mesh and was left out.':
     'L’animation du lien n’est pas dans ce maillage et a été laissée de côté.',
   'The ground of the link is of another mesh and was removed.':
@@ -366,7 +372,7 @@ export const PAGE: Texts = {
   'There is no mesh yet.': 'Il n’y a pas encore de maillage.',
   'Added, {0} away from there.': 'Ajoutée, à {0} de là.',
   'Added.': 'Ajoutée.',
-  'This vertex is a source already.': 'Ce sommet est déjà une source.',
+  'This place is a source already.': 'Cet endroit est déjà une source.',
   '{0}: no triangle has vertex {1}.': '{0} : aucun triangle n’a le sommet {1}.',
   '{0}: there is no vertex {1}; the mesh has {2}, counted from 0.':
     '{0} : il n’y a pas de sommet {1} ; le maillage en a {2}, comptés à partir de 0.',
@@ -431,7 +437,7 @@ export const PAGE: Texts = {
   glow: 'lueur',
   viridis: 'viridis',
   'single color': 'une seule couleur',
-  "the file's materials": 'les matériaux du fichier',
+  "the file's materials": 'matériaux du fichier',
   '{0} {1}': '{0} {1}',
   '{0} (assumed)': '{0} (supposé)',
   '{0} ({1})': '{0} ({1})',

@@ -49,6 +49,9 @@ export const PRINTED: Palette = {
 
 const [WIDTH, HEIGHT] = [320, 190];
 const MARGIN = { left: 44, right: 10, top: 26, bottom: 36 };
+/** Left of the vertical axis: its title and the gaps around its labels, and what a sign of these takes at most. */
+const TITLE_WIDTH = 21;
+const SIGN_WIDTH = 7;
 const TICKS = 5;
 /** Of axes that are fitted to their values: on either side, a share of what these take; in powers of ten where there is one value. */
 const FITTED_MARGIN = 0.08;
@@ -136,8 +139,10 @@ export function plot({ title, xLabel, yLabel, logarithmic, series }: Chart, pale
       : logarithmic === 'up'
         ? logarithmicAxis(values)
         : linearAxis(Math.max(...values, 0));
+  const longest = Math.max(...up.ticks.map(({ label }) => String(label).length));
+  const left = Math.max(MARGIN.left, TITLE_WIDTH + SIGN_WIDTH * longest);
   const [right, bottom] = [WIDTH - MARGIN.right, HEIGHT - MARGIN.bottom];
-  const px = (x: number) => MARGIN.left + along.place(x) * (right - MARGIN.left);
+  const px = (x: number) => left + along.place(x) * (right - left);
   const py = (y: number) => bottom - up.place(y) * (bottom - MARGIN.top);
   const root = svg('svg', {
     viewBox: `0 0 ${WIDTH} ${HEIGHT}`,
@@ -150,30 +155,28 @@ export function plot({ title, xLabel, yLabel, logarithmic, series }: Chart, pale
   root.append(text(title, { x: MARGIN.left, y: 14, fill: palette.text, 'font-weight': 600, 'font-size': 12 }));
   for (const { value, label: words } of up.ticks) {
     const y = py(value).toFixed(1);
-    root.append(svg('path', { d: `M${MARGIN.left} ${y}H${right}`, stroke: palette.grid }));
-    root.append(text(words, { x: MARGIN.left - 5, y, dy: '0.35em', 'text-anchor': 'end', fill: palette.quiet }));
+    root.append(svg('path', { d: `M${left} ${y}H${right}`, stroke: palette.grid }));
+    root.append(text(words, { x: left - 5, y, dy: '0.35em', 'text-anchor': 'end', fill: palette.quiet }));
   }
   for (const { value, label: words } of along.ticks) {
     root.append(text(words, { x: px(value).toFixed(1), y: bottom + 13, 'text-anchor': 'middle', fill: palette.quiet }));
   }
-  root.append(
-    text(xLabel, { x: (MARGIN.left + right) / 2, y: HEIGHT - 6, 'text-anchor': 'middle', fill: palette.text }),
-  );
+  root.append(text(xLabel, { x: (left + right) / 2, y: HEIGHT - 6, 'text-anchor': 'middle', fill: palette.text }));
   const middle = (MARGIN.top + bottom) / 2;
   root.append(
     text(yLabel, { transform: `translate(11 ${middle}) rotate(-90)`, 'text-anchor': 'middle', fill: palette.text }),
   );
   series.forEach(({ name, kind, x, y }, index) => {
     const color = entry(palette.series, index % palette.series.length);
-    const left = (i: number) => px(entry(x, i)).toFixed(2);
+    const across = (i: number) => px(entry(x, i)).toFixed(2);
     const top = (i: number) => py(entry(y, i)).toFixed(2);
-    const at = (i: number) => `${left(i)} ${top(i)}`;
-    const bar = (i: number) => `M${left(i)} ${bottom}V${top(i)}H${left(i + 1)}V${bottom}Z`;
+    const at = (i: number) => `${across(i)} ${top(i)}`;
+    const bar = (i: number) => `M${across(i)} ${bottom}V${top(i)}H${across(i + 1)}V${bottom}Z`;
     const order = Array.from({ length: y.length }, (_, i) => i);
     if (kind === 'bars') root.append(svg('path', { d: order.map(bar).join(''), fill: color }));
     else root.append(svg('path', { d: `M${order.map(at).join('L')}`, fill: 'none', stroke: color, 'stroke-width': 2 }));
     if (kind === 'points') {
-      for (const i of order) root.append(svg('circle', { cx: left(i), cy: top(i), r: POINT, fill: color }));
+      for (const i of order) root.append(svg('circle', { cx: across(i), cy: top(i), r: POINT, fill: color }));
     }
     if (series.length > 1) {
       root.append(text(name, { x: right, y: 14 + 12 * index, 'text-anchor': 'end', fill: color, 'font-weight': 600 }));

@@ -227,7 +227,7 @@ type Row = [Words, ...(Words | null | undefined)[]];
 function factors(left: Answer, right: Answer | null): Row[] {
   const row = [left, right].map((answer) => answer?.field?.timeFactor ?? null);
   const isByHeat = row.some((factor) => factor !== null);
-  return isByHeat ? [[t('Time step m'), ...row.map((factor) => (factor === null ? null : threeDigits(factor)))]] : [];
+  return isByHeat ? [[t('Time factor m'), ...row.map((factor) => (factor === null ? null : threeDigits(factor)))]] : [];
 }
 
 function timed(times: readonly [Times, Times] | null): Row[] {

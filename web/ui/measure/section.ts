@@ -152,7 +152,9 @@ function knownLength(
         const scale = field.valueAsNumber / measured;
         const isKnown = scale >= SCALES[0] && scale <= SCALES[1];
         say(trouble, isKnown ? null : t('Give the length of this tape, a number above 0.'));
-        if (isKnown) scene.edit({ scale, unit: chosen, shownUnit: null });
+        if (!isKnown || !shown.value) return;
+        const { shownUnit } = scene.state;
+        scene.edit(convertible({ scale, unit: chosen, shownUnit }, shown.value.opened));
       },
     },
     t('Set scale'),

@@ -1,3 +1,4 @@
+import { NO_GROUND } from '../../session/ground';
 import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
@@ -98,6 +99,13 @@ export function toolbar(
     };
     const button = h('button', { class: 'tool', title: tip, onclick: choose }, icon(path), h('span', {}, name));
     tool.watch((value) => button.setAttribute('aria-pressed', String(value === which)));
+    if (which === 'brush') {
+      session.shown.watch((shown, previous) => {
+        if (shown?.opened === previous?.opened) return;
+        button.disabled = Boolean(shown?.opened.interior);
+        attribute(button, 'title', button.disabled ? NO_GROUND : tip);
+      });
+    }
     return button;
   };
   const tools = TOOLS.map(toolButton);

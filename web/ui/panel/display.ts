@@ -27,8 +27,8 @@ type Arrows = (typeof ARROWS)[number] | 'none';
 
 const COLOR_BY_WORDS: Record<VertexField, Words> = {
   distance: t('distance'),
-  heat: t('heat (of the heat method), log scale'),
-  error: t('error before refinement'),
+  heat: t('heat, log scale'),
+  error: t('unrefined error'),
 };
 
 const UP_WORDS: Record<Up, string> = { y: '+Y', z: '+Z', x: '+X', '-y': '−Y', '-z': '−Z', '-x': '−X' };

@@ -1,5 +1,5 @@
 import type { DrawPath } from '../../protocol';
-import type { GroundEditor } from '../../session/ground';
+import { type GroundEditor, NO_GROUND } from '../../session/ground';
 import type { Session } from '../../session/session';
 import { colourOfCost, WALL_COLOURS } from '../../session/tints';
 import { type GroundTool, type Material, MATERIAL_COSTS, MATERIALS, RADII, TOOLS } from '../../state/brush';
@@ -144,7 +144,7 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
   editor.lineEnd.watch(showBrush);
 
   const controls = h('div', { class: 'stack' });
-  const none = h('p', { class: 'quiet', hidden: true }, t('Inside of tetrahedra there is no ground.'));
+  const none = h('p', { class: 'quiet', hidden: true }, NO_GROUND);
   const showGround = () => {
     const { ground } = scene.state;
     slope.show(ground.slope);
@@ -174,9 +174,8 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
       const weights = shown?.opened.weights;
       ofFile.hidden = !weights;
       say(ofFile, weights ? t`Costs of the file (${weights.name})` : COSTS_OF_FILE);
-      const isInside = (shown?.opened.interior ?? null) !== null;
-      controls.hidden = isInside;
-      none.hidden = !isInside;
+      controls.hidden = !editor.isThere;
+      none.hidden = editor.isThere;
     }
   });
   controls.append(

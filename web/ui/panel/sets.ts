@@ -61,8 +61,12 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
   const add = async (text: string) => {
     if (text.trim() === '') return;
     try {
-      const { addList } = await import('../../session/sets');
-      tell(addList(session, String(t('List')), text));
+      const [{ addList }, { isOneLine }] = await Promise.all([
+        import('../../session/sets'),
+        import('../../state/list'),
+      ]);
+      // A list is one of several lines, and its name stays with it.
+      tell(addList(session, String(isOneLine(text) ? t('What was typed') : t('List')), text));
       field.value = '';
     } catch (error) {
       tell(sentenceOf(error));

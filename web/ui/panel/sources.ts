@@ -40,6 +40,7 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
     t('Link all'),
   );
   const linking = h('div', { class: 'linking', hidden: true }, nearest, all);
+  const trouble = h('p', { class: 'warning', role: 'status', hidden: true });
   let rows: HTMLElement[] = [];
   const shownUnit = () => (session.shown.value ? unitOf(scene.state, session.shown.value.opened) : MODEL);
 
@@ -47,6 +48,7 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
     const { sources, sets } = scene.state;
     rows = [...sources, ...sets].map((_, index) => row(index));
     list.replaceChildren(...rows);
+    trouble.hidden = true;
     if (rows.length === 0) list.append(h('li', { class: 'quiet' }, t('No source yet: set one on the surface.')));
   };
   const row = (index: number) => {
@@ -86,7 +88,10 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
         gesture = {};
       },
       oninput: () => {
-        if (field.validity.valid && field.value !== '') {
+        const { valid } = field.validity;
+        trouble.hidden = valid;
+        say(trouble, valid ? null : t('An initial distance is a number, 0 or more.'));
+        if (valid && field.value !== '') {
           setInitialDistance(scene, index, inModel(field.valueAsNumber, shownUnit()), gesture);
         }
       },
@@ -140,7 +145,7 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
   unreached.setAttribute('role', 'status');
   const drawing = h('div', { class: 'stack' });
   void first.then(async () => drawing.append(...(await import('./sets')).drawingControls(session, tool)));
-  return h('div', { class: 'stack' }, list, drawing, unreached, linking);
+  return h('div', { class: 'stack' }, list, trouble, drawing, unreached, linking);
 }
 
 /** What a row of the list shows. */
