@@ -52,6 +52,7 @@ test('a plane is moved by hand, and the girth follows it into the panel, files, 
   expect(download.suggestedFilename()).toBe('torus.girth.dxf');
   const dxf = (await readFile(await download.path())).toString();
   expect(dxf).toMatch(/\$INSUNITS\n\s*70\n4\n/);
+  expect(dxf).toMatch(/\n\s*8\nGIRTH\n/);
   const places = [...dxf.matchAll(/VERTEX\n\s*8\n.*\n\s*10\n(.*)\n\s*20\n(.*)\n\s*30\n(.*)\n/g)];
   const circles = places.map((match) => match.slice(1, 4).map(Number));
   expect(circles.length).toBeGreaterThan(40);

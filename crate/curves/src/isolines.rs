@@ -39,9 +39,20 @@ pub struct Isoline {
     pub enclosed_area: f64,
 }
 
+/// What curves are, by which files call them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Isolines of a distance.
+    Isolines,
+    /// Where a plane cuts the surface: at 0 of the height over it.
+    Girth,
+}
+
 /// The isolines of a field.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Isolines {
+    /// What they are; those that are traced are isolines of a distance unless it is changed.
+    pub kind: Kind,
     /// One a level, ascending; without curves where nothing is at its value.
     pub isolines: Vec<Isoline>,
 }
@@ -73,7 +84,7 @@ impl Isolines {
             Isoline { value, curves, length, enclosed_area }
         };
         let all = levels.values().iter().zip(crossed_triangles(field, levels)).zip(areas);
-        Self { isolines: all.map(isoline).collect() }
+        Self { kind: Kind::Isolines, isolines: all.map(isoline).collect() }
     }
 }
 

@@ -20,7 +20,7 @@ pub mod write;
 
 pub use error::{Error, MAX_DEFECT, MOST_LEVELS, NotDevelopable, Result};
 pub use field::Field;
-pub use isolines::{Curve, Isoline, Isolines};
+pub use isolines::{Curve, Isoline, Isolines, Kind};
 pub use levels::Levels;
 pub use refine::{Places, Refined, TRUE_TO};
 pub use sheet::{Plane, Sheet};

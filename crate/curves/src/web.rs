@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::Error;
 use crate::field::Field;
-use crate::isolines::{Isoline, Isolines};
+use crate::isolines::{Isoline, Isolines, Kind};
 use crate::levels::Levels;
 use crate::refine::{Places, Refined};
 use crate::sheet::Sheet;
@@ -80,6 +80,13 @@ impl Curves {
         };
         let isolines = Isolines::trace(&field, &levels);
         Ok(Self { field, levels, isolines, is_true, left_out: Vec::new() })
+    }
+
+    /// The same, called a girth in files.
+    #[must_use]
+    pub fn into_girth(mut self) -> Self {
+        self.isolines.kind = Kind::Girth;
+        self
     }
 
     /// Whether lengths are right to about a thousandth: isolines follow the distance itself, and are no chords of triangles.

@@ -87,7 +87,10 @@ pub fn weld(soup: &Soup, rule: WeldRule, threads: NonZeroUsize) -> Result<Welded
         let reason = if all.triangles.is_empty() {
             "the file holds none; export the surface as triangles".to_owned()
         } else {
-            format!("all {} have zero area; check the scale of the file", all.triangles.len())
+            match all.triangles.len() {
+                1 => "the only one has zero area; check the scale of the file".to_owned(),
+                count => format!("all {count} have zero area; check the scale of the file"),
+            }
         };
         return Err(Error::Empty { reason });
     }

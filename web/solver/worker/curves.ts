@@ -76,7 +76,7 @@ async function cutBy(solver: wasm.Solver, { normal, offset }: Plane, unit: Lengt
     const vertex = Math.floor(index / 3);
     heights[vertex] = (heights[vertex] ?? 0) + (normal[index % 3] ?? 0) * value;
   });
-  return new Curves(positions, solver.faces(), heights, Float64Array.of(0), 0, undefined);
+  return new Curves(positions, solver.faces(), heights, Float64Array.of(0), 0, undefined).into_girth();
 }
 
 /** #segments × 2 × 3, ends of the segments of all curves in which a plane cuts the surface, one curve after another, as they are drawn. */

@@ -68,6 +68,7 @@ export const READERS: Texts = {
   'Blender up to version 4.5': 'Blender jusqu’à la version 4.5',
   'the file holds none; export the surface as triangles':
     'le fichier n’en contient aucun ; exportez la surface en triangles',
+  'the only one has zero area; check the scale of the file': 'le seul a une aire nulle ; vérifiez l’échelle du fichier',
   'all {0} have zero area; check the scale of the file':
     'les {0} ont tous une aire nulle ; vérifiez l’échelle du fichier',
   // Numbers and vertices in text.

@@ -6,7 +6,7 @@ use glam::DVec3;
 use heatwalk_surface::Unit;
 
 use super::unit::insertion_unit;
-use crate::isolines::Isolines;
+use crate::isolines::{Isolines, Kind};
 use crate::sheet::Sheet;
 use crate::strips::Strips;
 
@@ -19,9 +19,12 @@ const SPATIAL: u8 = 8;
 /// Flag of a VERTEX of a polyline in space.
 const SPATIAL_VERTEX: u8 = 32;
 
-/// Curves in space, one layer an isoline: `ISOLINE_2_0_5` is the third one, at 0.5.
+/// Curves in space, one layer an isoline: `ISOLINE_2_0_5` is the third one, at 0.5; `GIRTH` that of a girth.
 pub fn dxf(isolines: &Isolines, unit: Option<Unit>) -> Vec<u8> {
-    let layer = |(index, value): (usize, f64)| name(&format!("ISOLINE_{index}"), value);
+    let layer = |(index, value): (usize, f64)| match isolines.kind {
+        Kind::Isolines => name(&format!("ISOLINE_{index}"), value),
+        Kind::Girth => "GIRTH".to_owned(),
+    };
     let layers: Vec<String> = isolines.isolines.iter().map(|isoline| isoline.value).enumerate().map(layer).collect();
     let mut file = File::begin(&layers, unit);
     for (isoline, layer) in isolines.isolines.iter().zip(&layers) {

@@ -3,12 +3,12 @@
 use heatwalk_model::io::write::GlbFile;
 use serde_json::{Value, json};
 
-use crate::isolines::Isolines;
+use crate::isolines::{Isolines, Kind};
 
 /// `mode` of a primitive that is pairs of vertices (glTF 2.0, 5.24.4).
 const LINES: u32 = 1;
 
-/// A node and a mesh an isoline that has curves, called by its value, which `extras` has as a number.
+/// A node and a mesh an isoline that has curves, called by its value, which `extras` has as a number; a girth is called so.
 pub fn glb(isolines: &Isolines) -> Vec<u8> {
     let mut file = GlbFile::default();
     let (mut nodes, mut meshes) = (Vec::new(), Vec::new());
@@ -26,8 +26,12 @@ pub fn glb(isolines: &Isolines) -> Vec<u8> {
             "attributes": { "POSITION": file.bounded(&positions, "VEC3") },
             "indices": file.indices(&indices),
         });
-        nodes.push(json!({ "name": format!("isoline {}", isoline.value), "mesh": meshes.len() }));
-        meshes.push(json!({ "primitives": [primitive], "extras": { "distance": isoline.value } }));
+        let (name, extras) = match isolines.kind {
+            Kind::Isolines => (format!("isoline {}", isoline.value), json!({ "distance": isoline.value })),
+            Kind::Girth => ("girth".to_owned(), json!({})),
+        };
+        nodes.push(json!({ "name": name, "mesh": meshes.len() }));
+        meshes.push(json!({ "primitives": [primitive], "extras": extras }));
     }
     file.finish(root(nodes, meshes))
 }

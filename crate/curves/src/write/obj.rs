@@ -5,17 +5,24 @@ use std::fmt::Write as _;
 use heatwalk_surface::Unit;
 
 use super::unit::comment;
-use crate::isolines::Isolines;
+use crate::isolines::{Isolines, Kind};
 use crate::strips::Strips;
 
 // Writing to a String cannot fail.
 
-/// A group an isoline, a line a curve; a closed one returns to its first point.
+/// A group an isoline, or one of the girth, a line a curve; a closed one returns to its first point.
 pub fn obj(isolines: &Isolines, unit: Option<Unit>) -> Vec<u8> {
-    let mut text = format!("# isolines of a distance by Heatwalk\n{}", comment("#", unit));
+    let title = match isolines.kind {
+        Kind::Isolines => "isolines of a distance",
+        Kind::Girth => "girth of a surface",
+    };
+    let mut text = format!("# {title} by Heatwalk\n{}", comment("#", unit));
     let mut first = 1;
     for isoline in &isolines.isolines {
-        let _ = writeln!(text, "g isoline_{}", isoline.value);
+        let _ = match isolines.kind {
+            Kind::Isolines => writeln!(text, "g isoline_{}", isoline.value),
+            Kind::Girth => writeln!(text, "g girth"),
+        };
         for curve in &isoline.curves {
             for point in &curve.points {
                 let _ = writeln!(text, "v {} {} {}", point.x, point.y, point.z);

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 use heatwalk_curves::write::View;
-use heatwalk_curves::{Error, Field, Isolines, Levels, Sheet, Strips, write};
+use heatwalk_curves::{Error, Field, Isolines, Kind, Levels, Sheet, Strips, write};
 use heatwalk_shapes as shapes;
 use heatwalk_surface::{Soup, Unit};
 
@@ -331,6 +331,15 @@ fn what_is_behind_the_surface_is_not_in_a_picture() {
     let aside = 3.0 / 2.0_f64.sqrt() * 1000.0 / (3.0 / 2.0_f64.sqrt() + 0.06 * (3.0 / 2.0_f64.sqrt()));
     let oblique = seen(DVec3::new(-1.0, 0.0, 1.0));
     assert!((oblique - aside).abs() < 0.5, "{oblique} of {aside}");
+}
+
+#[test]
+fn a_girth_is_called_so_in_files() {
+    let girth = Isolines { kind: Kind::Girth, ..trace(&one_behind_the_other(), &[1.1]) };
+    for file in [write::obj(&girth, None), write::dxf(&girth, None), write::glb(&girth)] {
+        let text = String::from_utf8_lossy(&file).to_lowercase();
+        assert!(text.contains("girth") && !text.contains("isoline"));
+    }
 }
 
 #[test]
