@@ -1,6 +1,9 @@
 // Darts on the surface or within the solid that show a vector field, one instance each.
 
 const AMBER = vec3f(1.0, 0.42, 0.10);
+const INK = vec3f(0.01, 0.01, 0.015);
+// Where it turns from ink to amber, by the cosine between its normal and the direction to the eye.
+const RIM = vec2f(0.55, 0.8);
 
 struct Fragment {
     @builtin(position) clip: vec4f,
@@ -33,17 +36,22 @@ fn vs_inner_arrow(solid: Vertex, arrow: Arrow) -> Fragment {
     return dart(solid, arrow, 1.0);
 }
 
-const DART = Material(AMBER, 0.0, 0.45, 0.15 * AMBER, 1.0);
+// Amber within a rim of ink, so that it is seen on any color.
+fn inked(position: vec3f, normal: vec3f) -> Material {
+    let facing = dot(normal, normalize(frame.eye - position));
+    let color = mix(INK, AMBER, smoothstep(RIM.x, RIM.y, facing));
+    return Material(color, 0.0, 0.45, 0.15 * color, 1.0);
+}
 
 @fragment
 fn fs_arrow(fragment: Fragment) -> @location(0) vec4f {
     let normal = normalize(fragment.normal);
-    return encode(shade(DART, fragment.position, normal, normal));
+    return encode(shade(inked(fragment.position, normal), fragment.position, normal, normal));
 }
 
 // Within the solid: what is seen of it lies open.
 @fragment
 fn fs_inner_arrow(fragment: Fragment) -> @location(0) vec4f {
     let normal = normalize(fragment.normal);
-    return encode(shade_open(DART, fragment.position, normal, normal));
+    return encode(shade_open(inked(fragment.position, normal), fragment.position, normal, normal));
 }
