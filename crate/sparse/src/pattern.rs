@@ -69,25 +69,30 @@ impl Pattern {
 
     /// The entries in compressed columns, with another number for each row: `place` makes a column and a row of both.
     fn compressed(&self, number: &[u32], place: impl Fn(u32, u32) -> (u32, u32)) -> (Vec<u32>, Vec<u32>) {
-        let entries = || {
-            let of_column = |column| self.column(column).map(move |entry| (column, self.rows[entry] as usize));
-            (0..self.size()).flat_map(of_column).map(|(column, row)| place(number[column], number[row]))
-        };
         let mut column_start = vec![0; self.size() + 1];
-        for (column, _) in entries() {
-            column_start[column as usize + 1] += 1;
-        }
+        self.each_renumbered(number, |a, b| column_start[place(a, b).0 as usize + 1] += 1);
         for column in 0..self.size() {
             column_start[column + 1] += column_start[column];
         }
         let mut rows = vec![0; self.rows.len()];
         let mut next = column_start.clone();
-        for (column, row) in entries() {
-            let place = &mut next[column as usize];
-            rows[*place as usize] = row;
-            *place += 1;
-        }
+        self.each_renumbered(number, |a, b| {
+            let (column, row) = place(a, b);
+            let free = &mut next[column as usize];
+            rows[*free as usize] = row;
+            *free += 1;
+        });
         (column_start, rows)
+    }
+
+    /// Column and row of each entry, by other numbers.
+    fn each_renumbered(&self, number: &[u32], mut act: impl FnMut(u32, u32)) {
+        for column in 0..self.size() {
+            let renumbered = number[column];
+            for &row in &self.rows[self.column(column)] {
+                act(renumbered, number[row as usize]);
+            }
+        }
     }
 
     /// Number of rows.

@@ -7,9 +7,14 @@ export function keepFocus(stage: HTMLElement): void {
     last = target instanceof HTMLElement ? target : null;
     section = last?.closest('details')?.querySelector('summary') ?? null;
   });
-  new MutationObserver(() => {
+  new MutationObserver((changes) => {
     const { activeElement } = document;
-    if (!last || canHold(last) || (activeElement !== document.body && activeElement !== last)) return;
+    if (!last || (activeElement !== document.body && activeElement !== last)) return;
+    // Where nothing has become of it, no layout is asked for.
+    const isTouched = changes.some(({ target, removedNodes }) =>
+      [target, ...removedNodes].some((node) => node.contains(last)),
+    );
+    if (!isTouched || canHold(last)) return;
     const next = section && canHold(section) ? section : stage;
     next.focus({ preventScroll: true });
   }).observe(document.body, {

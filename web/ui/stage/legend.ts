@@ -59,14 +59,16 @@ export class Legend {
   #content: Content | null = null;
   /** What is drawn. */
   #drawn = '';
+  #isAwaited = false;
 
   constructor(session: Session, isOn: Signal<boolean>) {
     this.#session = session;
     this.#isOn = isOn;
-    isOn.watch(() => this.follow());
-    session.shown.watch(() => this.follow());
-    session.scene.subscribe(() => this.follow());
-    session.view.trouble.watch(() => this.follow());
+    const soon = () => this.#followSoon();
+    isOn.watch(soon);
+    session.shown.watch(soon);
+    session.scene.subscribe(soon);
+    session.view.trouble.watch(soon);
     // Another language, other colors, another size.
     new MutationObserver(() => this.#redraw()).observe(document.documentElement, { attributeFilter: ['lang'] });
     for (const query of [this.#forced, matchMedia('(prefers-color-scheme: dark)')]) {
@@ -84,6 +86,16 @@ export class Legend {
     });
     this.element.addEventListener('keydown', (event) => this.#key(event));
     this.element.addEventListener('wheel', (event) => session.view.stage.dispatchEvent(new WheelEvent('wheel', event)));
+  }
+
+  /** With the next frame: a drag brings more answers than there are frames. */
+  #followSoon(): void {
+    if (this.#isAwaited) return;
+    this.#isAwaited = true;
+    requestAnimationFrame(() => {
+      this.#isAwaited = false;
+      this.follow();
+    });
   }
 
   /** Shows what the picture has now. Styles hold for what is on the page. */
@@ -114,14 +126,16 @@ export class Legend {
   }
 
   #draw(content: Content): void {
-    const context = this.#canvas.getContext('2d');
+    // Drawn by the processor: a canvas of the graphics card waits for it with each answer of a drag.
+    const context = this.#canvas.getContext('2d', { willReadFrequently: true });
     if (!context) return;
-    const [width, height] = sizeOf(context, content, this.#look.font);
+    const look = this.#look;
+    const [width, height] = sizeOf(context, content, look.font);
     this.#canvas.width = Math.ceil(width * devicePixelRatio);
     this.#canvas.height = Math.ceil(height * devicePixelRatio);
     Object.assign(this.#canvas.style, { width: `${width}px`, height: `${height}px` });
     context.scale(devicePixelRatio, devicePixelRatio);
-    drawLegend(context, content, this.#look, devicePixelRatio);
+    drawLegend(context, content, look, devicePixelRatio);
   }
 
   get #look(): Look {
@@ -181,6 +195,7 @@ export class Legend {
 
   /** On a picture that is as large, of which `pixels` of the device are one of CSS. */
   #print(context: PlaneContext, width: number, height: number, pixels: number): void {
+    this.follow();
     const content = this.#content;
     if (!content) return;
     const [ownWidth, ownHeight] = sizeOf(context, content, this.#look.font);
