@@ -23,6 +23,7 @@ import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
 import { BrushInput } from './ui/input/brush';
 import { MeasureInput } from './ui/measure/input';
 import { DrawInput } from './ui/input/draw';
+import type { Handles } from './ui/input/handles';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
 import { followLaunches } from './ui/input/launch';
@@ -79,12 +80,14 @@ const measure = new MeasureInput(session, tool);
 const measuring = new MeasureSection(session, measure, tool);
 const comparing = new CompareSection(session);
 const draw = new DrawInput(session, tool);
-const over = new Stage(session, draw, () => frames.cameraMoved());
+const over = new Stage(session, () => frames.cameraMoved());
+let handles: Handles | null = null;
 const frames = new Frames(session, crowd, {
   drawn: () => {
     comparing.follow();
     measuring.follow();
     over.follow();
+    handles?.follow();
     readout.follow();
   },
   rested: () => pointer.look(),
@@ -233,6 +236,12 @@ expose(
   () => import('./ui/control/script').then(({ scriptOf }) => (script ??= scriptOf(host, window.heatwalk))),
 );
 void first.promise.then(() => over.load());
+first.promise
+  .then(() => import('./ui/input/handles'))
+  .then(({ handlesOf }) => {
+    handles = handlesOf(session, draw);
+  })
+  .catch(fail);
 first.promise
   .then(async () => {
     const { state } = scene;

@@ -1,10 +1,9 @@
 /** What lies over the model and the first picture does not wait for: loaded after it, or with what asks for it first. */
 import type { Session } from '../../session/session';
 import { Signal } from '../../state/signal';
-import type { DrawInput } from '../input/draw';
 import { remember, remembered } from '../memory';
 import type { GirthTool } from '../measure/girth';
-import type { Over } from './loaded';
+import type { Legend } from './legend';
 import type { ViewName } from './views';
 
 const MEMORY = 'heatwalk.legend';
@@ -13,28 +12,27 @@ export class Stage {
   /** Whether there is a legend. */
   readonly legend = new Signal(remembered(MEMORY) !== 'off');
   readonly #session: Session;
-  readonly #draw: DrawInput;
   readonly #moved: () => void;
   #loading: Promise<void> | null = null;
-  #shown: Over | null = null;
+  #shown: Legend | null = null;
   #girth: Promise<GirthTool> | null = null;
   #girthShown: GirthTool | null = null;
 
   /** `moved`: called where the camera moves. */
-  constructor(session: Session, draw: DrawInput, moved: () => void) {
+  constructor(session: Session, moved: () => void) {
     this.#session = session;
-    this.#draw = draw;
     this.#moved = moved;
     this.legend.watch((on) => remember(MEMORY, on ? 'on' : 'off'));
     session.shown.watch(() => this.#measure());
     session.scene.subscribe(() => this.#measure());
   }
 
-  /** Resolves when the legend is there, and what is taken hold of. */
+  /** Resolves when the legend is there. */
   load(): Promise<void> {
-    return (this.#loading ??= import('./loaded').then(
-      ({ over }) => {
-        this.#shown = over(this.#session, this.legend, this.#draw);
+    return (this.#loading ??= import('./legend').then(
+      ({ Legend }) => {
+        this.#shown = new Legend(this.#session, this.legend);
+        this.#session.view.stage.after(this.#shown.element);
         this.#shown.follow();
       },
       (error: unknown) => {
