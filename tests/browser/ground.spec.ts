@@ -52,6 +52,8 @@ test('where it costs the same everywhere, what is measured is a cost, and exact'
   await heatwalk.settled();
   expect(await heatwalk.distanceAt(BEHIND)).toBeGreaterThan(1.5 * before);
   expect(await heatwalk.refining()).toBe('exact');
+  await page.mouse.move(...(await heatwalk.pixelOf(at(12, 12))));
+  await expect(page.locator('.readout')).toHaveText(/^costs 1\.5 m \(assumed\) · vertex \d+$/);
   await page.locator('.stage').press('l');
   const legend = page.getByRole('region', { name: 'Legend' }).getByRole('img');
   await expect(legend).toHaveAttribute('aria-label', /least cost/i);

@@ -10,6 +10,11 @@ test('one workspace is open, by mouse and by arrows, and a link opens where its 
   await expect(tab('Look')).toHaveAttribute('aria-selected', 'true');
   await expect(page.getByRole('tabpanel')).toHaveCount(1);
   await expect(page.getByRole('button', { name: 'gold', exact: true })).toBeVisible();
+  await tab('Look').press('End');
+  await expect(tab('Share')).toBeFocused();
+  await tab('Share').press('Home');
+  await expect(tab('Scene')).toBeFocused();
+  await tab('Look').click();
   await tab('Look').press('ArrowRight');
   await expect(tab('Measure')).toBeFocused();
   await expect.poll(() => page.url()).toContain('&open=measure');

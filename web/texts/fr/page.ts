@@ -97,6 +97,7 @@ export const PAGE: Texts = {
   'Close (Esc)': 'Fermer (Échap)',
   'vertex {0}': 'sommet {0}',
   'unreachable · {0}': 'inaccessible · {0}',
+  'costs {0} · {1}': 'coûte {0} · {1}',
   '{0} · {1} of the diameter · {2}': '{0} · {1} du diamètre · {2}',
   Source: 'Source',
   'Click sets the source': 'Un clic place la source',

@@ -3,6 +3,7 @@ import { bestDistanceAt } from '../../session/distances';
 import type { Session } from '../../session/session';
 import { type ModelLength, ofModel, unitOf } from '../../length';
 import { h, say } from '../dom';
+import { hasCosts } from '../../state/ground';
 import { measure } from '../../state/measures';
 import { percent } from '../words';
 import { t, type Words } from '../../texts';
@@ -103,5 +104,6 @@ function readoutText({ scene, shown }: Session, point: MeshPoint, best: ModelLen
   const { exactBelow } = answer.field;
   const isBetween = places.isBetween(point) && !(best !== null && exactBelow === Infinity);
   const about = isBetween || distance > exactBelow ? t`≈ ${length}` : length;
+  if (hasCosts(answer.question.ground)) return t`costs ${about} · ${vertex}`;
   return t`${about} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }

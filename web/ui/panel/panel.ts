@@ -129,7 +129,7 @@ export function buildPanel(
   };
 }
 
-/** A tab for each workspace; arrows go from one to the next. */
+/** A tab for each workspace; arrows go from one to the next, Home and End to the ends. */
 function tabs(
   workspaces: Record<Workspace, WorkspaceContent>,
   open: Signal<Workspace>,
@@ -159,9 +159,11 @@ function tabs(
   const strip = h('div', { class: 'tabs', role: 'tablist', 'aria-label': t('Workspaces') }, ...buttons);
   strip.addEventListener('keydown', (event) => {
     const step = arrowOf(event)?.[0];
-    if (!step) return;
+    const count = WORKSPACES.length;
+    const beside = step ? (WORKSPACES.indexOf(open.value) + step + count) % count : null;
+    const next = event.key === 'Home' ? 0 : event.key === 'End' ? count - 1 : beside;
+    if (next === null) return;
     event.preventDefault();
-    const next = (WORKSPACES.indexOf(open.value) + step + WORKSPACES.length) % WORKSPACES.length;
     open.value = entry(WORKSPACES, next);
     entry(buttons, next).focus();
   });
