@@ -74,9 +74,10 @@ export function openMenu(
       recent.element,
     ),
   );
+  // Before it opens: the other event may come after an answer to what was typed.
+  menu.addEventListener('beforetoggle', () => say(said, null));
   menu.addEventListener('toggle', (event) => {
     if ((event as ToggleEvent).newState !== 'open') return;
-    say(said, null);
     placeMenu(menu, beside, 'below');
     void recent.show().then(() => placeMenu(menu, beside, 'below'));
   });
