@@ -126,6 +126,7 @@ test('a tape is laid, dragged, closed, told in a known scale, saved, undone, sha
   await page.keyboard.press('Escape');
   await page.getByRole('button', { name: 'Tape 2, place 1' }).focus();
   await page.keyboard.press('Delete');
+  await expect(page.locator('.stage')).toBeFocused();
   await expect.poll(async () => (await tapes(heatwalk)).length).toBe(1);
 
   await heatwalk.forgetFiles();
@@ -171,8 +172,8 @@ test('scripts that wait until the page has settled have the lengths of tapes', a
 });
 
 test('a tap on its last place ends a tape, and the next begins another', async ({ heatwalk, page }) => {
-  await heatwalk.open('#v=1&m=bunny');
   await heatwalk.withoutLegend();
+  await heatwalk.open('#v=1&m=bunny');
   await page.getByRole('button', { name: 'Measure', exact: true }).first().click();
   const places = [await heatwalk.pixelOnModel(0), await heatwalk.pixelOnModel(0.05), await heatwalk.pixelOnModel(0.1)];
   for (const [x, y] of places.slice(0, 2)) await page.mouse.click(x, y);

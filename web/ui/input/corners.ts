@@ -60,9 +60,7 @@ export class LineCorners {
     const before = this.#corners;
     this.#corners = corners;
     if (corners.length !== before.length) {
-      const hadFocus = this.#layer.contains(document.activeElement);
       this.#layer.replaceChildren(...corners.map((_, place) => this.#button(place)));
-      if (hadFocus) this.#session.view.stage.focus({ preventScroll: true });
     }
     this.element.hidden = corners.length === 0;
     corners.forEach((vertex, place) => {

@@ -172,7 +172,6 @@ export class TapeLabels {
     const { scene, view } = this.#session;
     if (!arrow) {
       scene.edit({ tapes: withoutPlace(scene.state.tapes, tape, place) });
-      view.stage.focus({ preventScroll: true });
       return;
     }
     const position = this.#places[tape]?.[place]?.position;
