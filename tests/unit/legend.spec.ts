@@ -40,6 +40,13 @@ test('heat is told in powers of ten below the hottest place, errors in percent',
   expect(told(ticksOf({ ...heat, most: 0 }, MODEL, 5))).toEqual(['1']);
 });
 
+test('few numbers are more than the one of no value', () => {
+  for (let most = 1e-3; most < 1e3; most *= 1.07) {
+    const { length } = ticksOf(distance(most), MODEL, 2);
+    expect([2, 3], String(most)).toContain(length);
+  }
+});
+
 test('bands lie in the middle of each period, lines at its ends, and what is too dense is their mean', () => {
   const zebra = entry(STYLES, 0);
   expect(zebra.pattern).toBe('bands');
@@ -50,6 +57,7 @@ test('bands lie in the middle of each period, lines at its ends, and what is too
   expect(coverage(contour, 2, 7, 0.01)).toBe(1);
   expect(coverage(contour, 2, 7.2, 0.01)).toBeCloseTo(0.45, 6);
   expect(coverage(contour, 2, 7.1, 0.01)).toBe(0);
+  expect(coverage(contour, 2, 7.1, 2)).toBeCloseTo(0.4, 6);
   expect(coverage({ ...zebra, pattern: 'none' }, 2, 0.5, 0.01)).toBe(0);
 });
 

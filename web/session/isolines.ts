@@ -1,11 +1,12 @@
 /** The isolines that the scene wants. */
 import type { IsolineWish } from '../protocol';
 import { ofModel, type ModelLength } from '../length';
+import { wholeOfDistance } from './period';
 import type { Session } from './session';
 
 /** The spacing of isolines that lie where the stripes do. */
 function stripeSpacing({ scene, shown }: Session): ModelLength {
-  return ofModel(scene.state.style.period * (shown.value?.places.diameter ?? 0));
+  return ofModel(scene.state.style.period * (shown.value ? wholeOfDistance(shown.value) : 0));
 }
 
 /** The isolines that are wanted; where nothing else is said, at the stripes. */

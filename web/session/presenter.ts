@@ -1,6 +1,6 @@
 /** Shows a scene and the solver's answer to it on the view, and moves what moves by itself. */
 import type { DistanceField, DrawMesh, OpenedMesh, Posed, SceneryPart, DrawPath } from '../protocol';
-import { hasCosts, isPainted } from '../state/ground';
+import { isPainted } from '../state/ground';
 import { innerCutOf } from '../state/inside';
 import type { Scene } from '../state/history';
 import { type SceneState, visible } from '../state/scene';
@@ -10,6 +10,7 @@ import type { ShownField } from '../view/layers';
 import type { View } from '../view/view';
 import { Walk } from '../view/walk';
 import { curvesOf } from './curves';
+import { wholeOfDistance } from './period';
 import type { OpenRequest, Shown } from './prepare';
 import type { Painted } from './stripes';
 import { costAlong, tintsOf, wallsOf } from './tints';
@@ -18,8 +19,6 @@ import { costAlong, tintsOf, wallsOf } from './tints';
 const POSE_RESTS_MS = 300;
 
 const NO_LIGHTS = new Float32Array();
-/** So many diameters are reached without costs, or little more. */
-const PLAIN_REACH = 2;
 
 export class Presenter {
   readonly walk = new Walk();
@@ -135,7 +134,7 @@ export class Presenter {
   paint(instead: { field: ShownField; whole: number } | null): void {
     this.#painted = instead?.field ?? this.#field;
     this.#view.setField(this.#painted);
-    const whole = instead?.whole ?? this.#wholeOfDistance();
+    const whole = instead?.whole ?? (this.#shown ? wholeOfDistance(this.#shown) : 1);
     const isOther = instead !== null;
     if (whole !== this.#whole || isOther !== this.#isOther) {
       [this.#whole, this.#isOther] = [whole, isOther];
@@ -155,17 +154,6 @@ export class Presenter {
   #styleNow(): Style {
     const { style } = this.#state;
     return this.#isOther ? telling(style) : style;
-  }
-
-  /**
-   * The diameter; where costs make distances larger than that, a multiple of it that seldom changes: stripes would be too many to
-   * be seen.
-   */
-  #wholeOfDistance(): number {
-    const diameter = this.#shown?.places.diameter ?? 1;
-    if (!this.#field || !this.#shown || !hasCosts(this.#shown.answer.question.ground)) return diameter;
-    const times = this.#field.maxDistance / (PLAIN_REACH * diameter);
-    return diameter * 2 ** Math.max(0, Math.floor(Math.log2(times)));
   }
 
   /** Takes what moves by itself further. */

@@ -35,12 +35,13 @@ export function roundBelow(most: number): number {
   return Number(below.toPrecision(1));
 }
 
-/** Round values from 0 on, at most `count` of them above 0. */
+/** Round values from 0 on, at most `count` of them above 0, and at least one but for heat. */
 export function ticksOf({ kind, most }: Painted, unit: LengthUnit, count: number): Tick[] {
   if (!(most > 0)) return [{ at: 0, text: tickWords(kind, 0) }];
   const largest = kind === 'distance' ? told(ofModel(most), unit) : kind === 'error' ? 100 * most : most;
   // Powers of ten are whole.
-  const step = Math.max(roundStep(largest, count), kind === 'heat' ? 1 : 0);
+  const round = roundStep(largest, count);
+  const step = kind === 'heat' ? Math.max(round, 1) : Math.min(round, roundBelow(largest));
   const values = Array.from({ length: Math.floor(largest / step + 1e-9) + 1 }, (_, times) =>
     Number((times * step).toPrecision(6)),
   );
@@ -85,6 +86,8 @@ export function spacingOf(pattern: Pattern, { kind }: Painted, period: number): 
 const SUBDIVISIONS = 5;
 const THIN_OPACITY = 0.45;
 const THIN_WIDTH = 0.55;
+/** The most that lines cover where they are too dense to be told apart. */
+const DENSEST = 0.4;
 /** Places of a pixel that are looked at. */
 const SAMPLES = 16;
 
@@ -113,7 +116,7 @@ function profile(phase: number, width: number, flank: number): number {
 function lines(phase: number, span: number, half: number): number {
   const away = Math.abs(fraction(phase + 0.5) - 0.5) / Math.max(span, 1e-6);
   const covered = Math.min(1, Math.max(0, half + 0.5 - away));
-  return mix(covered, Math.min(1, 2 * half * span), smoothstep(0.12, 0.3, span));
+  return mix(covered, Math.min(DENSEST, 2 * half * span), smoothstep(0.12, 0.3, span));
 }
 
 function fraction(value: number): number {

@@ -48,6 +48,8 @@ const HATCH_WIDTH = 0.3;
 const MOST_ROUGHENED = 0.25;
 // Thin lines between two others.
 const SUBDIVISIONS = 5.0;
+// The most that lines cover where they are too dense to be told apart.
+const DENSEST = 0.4;
 // The outline of the brush: half the width of its light line, and of that with its dark edges, CSS pixels.
 const OUTLINE = vec2f(1.0, 2.2);
 // Opacity of a tint from which on it is a wall.
@@ -178,11 +180,12 @@ fn bands(phase: f32, span: f32, width: f32, flank: f32) -> vec3f {
     return vec3f(mix(clamp(share, 0.0, 1.0), width, dense), mean, max(square - mean * mean, 0.0));
 }
 
-// Share of a pixel that lines at whole phases cover, `half` physical pixels to either side.
+// Share of a pixel that lines at whole phases cover, `half` physical pixels to either side; where they are too dense to be told
+// apart, their mean, that light still shows the shape through.
 fn lines(phase: f32, span: f32, half: f32) -> f32 {
     let away = abs(fract(phase + 0.5) - 0.5) / max(span, 1e-6);
     let dense = smoothstep(0.12, 0.3, span);
-    return mix(clamp(half + 0.5 - away, 0.0, 1.0), min(2.0 * half * span, 1.0), dense);
+    return mix(clamp(half + 0.5 - away, 0.0, 1.0), min(2.0 * half * span, DENSEST), dense);
 }
 
 // Roughness as a pixel sees it: where the normal turns within a pixel by so much in the mean square, it mirrors a wider part

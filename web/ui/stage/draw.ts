@@ -157,10 +157,9 @@ function drawAxes(context: PlaneContext, axes: readonly Axis[], look: Look): voi
     context.lineTo(ARM * x, ARM * y);
     context.strokeStyle = look.axes[name] ?? look.text;
     context.stroke();
-    const [right, down] = nameAt(direction);
+    const place = nameAt(direction);
     // Axes of a plane that the eye is in lie on one line.
-    const lowest = Math.max(-Infinity, ...names.filter((other) => isClose(other, [right, down])).map(([, at]) => at));
-    const place: Point = [right, Math.max(down, lowest + NAME)];
+    while (names.some((other) => isClose(other, place))) place[1] += 1;
     names.push(place);
     context.fillText(name, ...place);
   }
