@@ -120,8 +120,37 @@ export class HeatwalkPage {
     await this.rest();
   }
 
+  /** Until the browser keeps the file that is open, for a visit that comes later. */
+  async kept(): Promise<void> {
+    const hash = /&hash=([\da-f]+)/.exec(this.page.url())?.[1];
+    if (!hash) throw new Error('The address names no file.');
+    await expect
+      .poll(() =>
+        this.page.evaluate(
+          (key) =>
+            new Promise<boolean>((resolve) => {
+              const opening = indexedDB.open('heatwalk', 1);
+              // Where none was kept yet, there is nothing to open.
+              opening.addEventListener('upgradeneeded', () => opening.transaction?.abort());
+              opening.addEventListener('error', () => resolve(false));
+              opening.addEventListener('success', () => {
+                const asked = opening.result.transaction('files').objectStore('files').getKey(key);
+                asked.addEventListener('success', () => {
+                  opening.result.close();
+                  resolve(asked.result !== undefined);
+                });
+              });
+            }),
+          hash,
+        ),
+      )
+      .toBe(true);
+  }
+
   /** Erases the files that the page has kept. */
   async forgetFiles(): Promise<void> {
+    // What is kept later would be there.
+    await this.kept();
     await this.page.evaluate(
       () =>
         new Promise<void>((resolve, reject) => {

@@ -122,12 +122,17 @@ test('a notice stays until it is closed, and the same one is there once', async 
 
 test('what is closed, disabled or taken away leaves the focus near it, or on the model', async ({ heatwalk, page }) => {
   const stage = page.locator('.stage');
-  await heatwalk.open('#v=1&m=bunny&tape=10,200&links=x');
+  await heatwalk.open('#v=1&m=bunny&tape=10,200;20,300&links=x');
   await heatwalk.settled();
   await page.locator('.message.notice').getByRole('button', { name: 'Close the message' }).press('Enter');
   await expect(stage).toBeFocused();
   const measure = await openSection(page, 'measure');
-  await measure.getByRole('button', { name: 'Delete tape 1' }).press('Enter');
+  await expect(measure.getByRole('button', { name: /^Delete tape/ })).toHaveCount(2);
+  await measure.getByRole('button', { name: 'Delete tape 2' }).press('Enter');
+  await expect(measure.getByRole('button', { name: /^Delete tape/ })).toHaveCount(1);
+  // Whoever deletes one goes on with the next.
+  await expect(measure.getByRole('button', { name: 'Delete tape 1' })).toBeFocused();
+  await page.keyboard.press('Enter');
   await expect(measure.locator('summary').first()).toBeFocused();
   const ground = await openSection(page, 'ground');
   await ground.getByRole('button', { name: 'Fill all' }).press('Enter');

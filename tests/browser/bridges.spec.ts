@@ -94,6 +94,7 @@ test('what is apart is linked group by group, nearest first, by a link of the pa
   await expect(page.getByRole('status').first()).toContainText('4 components, 3 links, one group');
   await heatwalk.openFile('row.obj', file, 's=0&method=auto&links=99');
   await expect(page.getByText('The link asks for links=99; no more than 3 can be made.')).toBeVisible();
+  await expect(page).toHaveURL(/links=3/);
 });
 
 test('distance crosses cracks, and the message tells of them', async ({ heatwalk, page }) => {

@@ -162,7 +162,8 @@ test('the ground is in the link', async ({ heatwalk, page }) => {
   const behind = await heatwalk.distanceAt(BEHIND);
   await expect(page).toHaveURL(/&ground=[\w-]+&slope=1/);
   const link = new URL(page.url()).hash;
-  // The browser has kept the file.
+  // The browser keeps the file.
+  await heatwalk.kept();
   await heatwalk.open(link);
   await heatwalk.settled();
   expect((await heatwalk.scene()).ground).toEqual(ground);

@@ -119,7 +119,8 @@ test('a click through the cut sets a source inside; it is dragged along the cut,
   const written = weights.map((weight) => Number(weight.toFixed(4))).join('/');
   await expect(page).toHaveURL(new RegExp(`&s=${tetrahedron}:${written}&`));
   const link = new URL(page.url()).hash;
-  // The browser has kept the file.
+  // The browser keeps the file.
+  await heatwalk.kept();
   await heatwalk.open(link);
   await heatwalk.settled();
   expect(isInside((await heatwalk.scene()).sources[0])).toBe(true);
@@ -149,6 +150,12 @@ test('what is cut away is not picked, and the cut moves by handle, keys and pane
   await heatwalk.settled();
   const moved = (await inside(heatwalk)).place;
   expect(moved).toBeGreaterThan(0.1);
+  // It stays under the pointer, but for what leads across its way.
+  const after = await handle.boundingBox();
+  if (!after) throw new Error('no handle');
+  const [right, down] = [after.x + after.width / 2 - hx, after.y + after.height / 2 - hy];
+  const far = Math.hypot(right, down);
+  expect(Math.abs((-20 * right + 20 * down) / far - far)).toBeLessThan(1.5);
   await page.keyboard.press('Control+z');
   expect((await inside(heatwalk)).place).toBeCloseTo(0.04, 6);
 

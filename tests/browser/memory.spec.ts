@@ -107,8 +107,9 @@ test('in the place of a mesh that does not fit, a simplified model is opened, wh
   expect((await heatwalk.field()).maxDistance).toBeCloseTo(Math.PI, 1);
   await expect(page).toHaveURL(/&triangles=13000/);
 
-  // The link opens the same; the browser has kept the file.
+  // The link opens the same; the browser keeps the file.
   const fragment = new URL(page.url()).hash;
+  await heatwalk.kept();
   await heatwalk.open(fragment);
   await expect.poll(async () => (await heatwalk.mesh()).name).toBe(name);
   expect((await heatwalk.mesh()).triangles).toBe(triangles);

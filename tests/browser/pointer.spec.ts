@@ -71,6 +71,45 @@ test('dragging a pin moves the source and solves on the way', async ({ heatwalk,
   expect((await heatwalk.scene()).sources).toEqual(from);
 });
 
+test('a pin is dragged by its ball too, also where that stands beside the model', async ({ heatwalk, page }) => {
+  await heatwalk.open();
+  await heatwalk.settled();
+  const { camera, sources: from } = await heatwalk.scene();
+  const [x, y] = await heatwalk.pixelOf(from[0]);
+  const isBall = (across: number, down: number) =>
+    page.evaluate(
+      ([px, py]) => {
+        const stage = document.querySelector<HTMLElement>('.stage');
+        if (!stage) throw new Error('no stage');
+        stage.dispatchEvent(new PointerEvent('pointermove', { clientX: px, clientY: py, bubbles: true }));
+        return stage.dataset.cursor === 'source' && window.heatwalk.placeAt(px, py) === null;
+      },
+      [across, down] as const,
+    );
+  // The needle stands on the bunny's side.
+  let ball: [number, number] | null = null;
+  for (let step = 0; step < 36 * 5 && !ball; step++) {
+    const away = 20 + 10 * Math.floor(step / 36);
+    const angle = (step % 36) * (Math.PI / 18);
+    const [across, down] = [x + away * Math.cos(angle), y + away * Math.sin(angle)];
+    if (await isBall(across, down)) ball = [across, down];
+  }
+  if (!ball) throw new Error('The ball is nowhere beside the model.');
+  // What is seen of the model lies on the side of the needle's foot.
+  const [right, down] = [x - ball[0], y - ball[1]].map((part) => 0.8 * part);
+  const solves = await heatwalk.solves();
+  await page.mouse.move(...ball);
+  await page.mouse.down();
+  await page.mouse.move(ball[0] + right, ball[1] + down, { steps: 4 });
+  await page.mouse.up();
+  await expect.poll(() => heatwalk.solves()).toBeGreaterThan(solves);
+  await heatwalk.settled();
+  const after = await heatwalk.scene();
+  const [ax, ay] = await heatwalk.pixelOf(after.sources[0]);
+  expect(Math.hypot(ax - x - right, ay - y - down)).toBeLessThan(2);
+  expect(after.camera).toEqual(camera);
+});
+
 test('of the fields that come between two frames the device gets the last', async ({ heatwalk, page }) => {
   await heatwalk.open();
   await clickModel(heatwalk);
@@ -218,6 +257,9 @@ test('the readout shows distance and vertex under the pointer', async ({ heatwal
   const said = Number.parseFloat((await readout.textContent()) ?? '');
   const distance = await page.evaluate((point) => window.heatwalk.exactDistanceAt(point), place);
   expect(Math.abs(said - (distance ?? Number.NaN))).toBeLessThanOrEqual(0.006 * (distance ?? Number.NaN));
+  // Another unit is told without a move.
+  await page.evaluate(() => window.heatwalk.set({ unit: 'm' }));
+  await expect(readout).toHaveText(/^[\d.]+ m · /);
   await page.mouse.move(20, 300);
   await expect(readout).toBeHidden();
 });

@@ -387,10 +387,29 @@ test('another version gives a notice', () => {
 
 test('a fragment without an existing mesh is not a scene', () => {
   expect(decodeLink('', startOf)).toEqual({ state: null, notices: [], refused: [], unknown: [] });
-  expect(decodeLink('#v=1&s=3', startOf)).toEqual({ state: null, notices: [], refused: [], unknown: [] });
+  expect(decodeLink('#v=1&open=look&campaign=3', startOf)).toEqual({
+    state: null,
+    notices: [],
+    refused: [],
+    unknown: [],
+  });
   const { state, notices } = decodeLink('#v=1&m=unicorn', startOf);
   expect(state).toBeNull();
   expect(notices.map(String)).toEqual(['The preset of this link does not exist; the first preset is shown.']);
+});
+
+function told(fragment: string): string[] {
+  return decodeLink(fragment, startOf).notices.map(String);
+}
+
+test('what a link says of a mesh that it does not name, or that does not exist, is named', () => {
+  expect(told('#s=3')).toEqual([
+    "The link's s=3 is left out: it is for a mesh that the link does not name, or that does not exist.",
+  ]);
+  expect(told('#v=1&m=unicorn&w=7&s=3')).toEqual([
+    'The preset of this link does not exist; the first preset is shown.',
+    "The link's s=3 and w=7 are left out: they are for a mesh that the link does not name, or that does not exist.",
+  ]);
 });
 
 const ADDRESS = 'https://models.example/a%20b/cow.obj?token=a+b&part=%231';

@@ -343,11 +343,14 @@ export class Opener {
         this.#notifier.refused([...before, ...refused]);
       }
       if (hasLost(wanted, state)) {
-        this.#notifier.notice(t('Some sources of the link are not on this mesh and were removed.'));
+        this.#notifier.notice(
+          hasChosen(wanted, state)
+            ? t('No source of the link is on this mesh; one was chosen.')
+            : t('Some sources of the link are not on this mesh and were removed.'),
+        );
       }
-      const { links } = shown.answer.factoring;
-      if (state.links > links) {
-        this.#notifier.notice(t`The link asks for links=${state.links}; no more than ${links} can be made.`);
+      if (wanted.links > state.links) {
+        this.#notifier.notice(t`The link asks for links=${wanted.links}; no more than ${state.links} can be made.`);
       }
       if (isPainted(wanted.ground) && !isPainted(state.ground)) {
         this.#notifier.notice(t('The ground of the link is of another mesh and was removed.'));
@@ -405,6 +408,13 @@ function hasLost(wanted: SceneState, now: SceneState): boolean {
     wanted.sources.some((source) => !there.has(source)) ||
     wanted.sets.length > now.sets.length ||
     wanted.sets.some(isFewer)
+  );
+}
+
+/** Whether the only source is one that nobody wished. */
+function hasChosen(wanted: SceneState, now: SceneState): boolean {
+  return (
+    now.sets.length === 0 && now.sources.length > 0 && !now.sources.some((source) => wanted.sources.includes(source))
   );
 }
 

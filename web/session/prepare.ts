@@ -123,6 +123,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
       walker: walker ?? null,
       tapes,
       ground,
+      links: Math.min(request.state.links, answer.factoring.links),
       selected: -1,
     },
     shown: { opened, places, answer },

@@ -250,7 +250,11 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   const start = mesh === null || mesh instanceof Phrase ? null : startOf(mesh);
   if (mesh instanceof Phrase) notices.push(mesh);
   else if (mesh && !start) notices.push(t('The preset of this link does not exist; the first preset is shown.'));
-  if (!start) return { state: null, notices, refused, unknown: [] };
+  if (!start) {
+    const left = KEYS.flatMap(({ key }) => (entries.has(key) ? [shortened(`${key}=${entries.get(key)}`)] : []));
+    if (left.length > 0) notices.push(withoutMesh(left));
+    return { state: null, notices, refused, unknown: [] };
+  }
   if ((entries.get('v') ?? VERSION) !== VERSION) {
     notices.push(t('This link was made by another version of the page; some of it may be ignored.'));
   }
@@ -299,6 +303,16 @@ export function refusedWords(refused: readonly string[]): Words {
     "The link's {1} is invalid; the default is used.",
     "The link's {1} are invalid; the defaults are used.",
     enumerated(refused),
+  );
+}
+
+/** What of a link is left out where its mesh is not named, or does not exist, in a sentence. */
+function withoutMesh(left: readonly string[]): Words {
+  return counted(
+    left.length,
+    "The link's {1} is left out: it is for a mesh that the link does not name, or that does not exist.",
+    "The link's {1} are left out: they are for a mesh that the link does not name, or that does not exist.",
+    enumerated(left),
   );
 }
 

@@ -39,10 +39,14 @@ interface Drag {
   x: number;
   y: number;
   place: number;
-  /** How far the cut moves by a pixel along each axis. */
-  worth: readonly [number, number];
+  /** A unit along the way of the cut on the screen, and how many there are to its end, and half way to it. */
+  along: Pixel;
+  whole: number;
+  half: number;
   gesture: object;
 }
+
+type Pixel = [number, number];
 
 export class CutHandle {
   readonly element = h('div', { class: 'cut-handle', role: 'slider', tabindex: 0, hidden: true }, icon(ARROWS));
@@ -69,15 +73,15 @@ export class CutHandle {
     const plane = this.#grip.plane();
     this.element.hidden = ends === null;
     if (!ends || !plane) return;
-    const [middle, ahead] = ends;
+    const [middle, , ahead] = ends;
     const angle = Math.atan2(ahead[1] - middle[1], ahead[0] - middle[0]);
     this.element.style.transform = `translate(${Math.round(middle[0])}px, ${Math.round(middle[1])}px) rotate(${angle.toFixed(3)}rad)`;
     this.element.setAttribute('aria-valuenow', plane.place.toFixed(2));
     attribute(this.element, 'aria-valuetext', plane.place === 0 ? t('middle') : percent(plane.place));
   }
 
-  /** Where the middle of the cut is drawn, and where it would be at the end of its way; null where there is none. */
-  #onScreen(): [[number, number], [number, number]] | null {
+  /** Where the middle of the cut is drawn, and where it would be half its way further, and all of it; null where there is none. */
+  #onScreen(): [Pixel, Pixel, Pixel] | null {
     const { shown, view } = this.#session;
     const plane = this.#grip.plane();
     if (!shown.value || !plane) return null;
@@ -85,9 +89,8 @@ export class CutHandle {
     const middle = middleOf(plane, box);
     const direction = directionOf(plane);
     const reach = reachOf(direction, box);
-    const ahead = moved(middle, direction, reach);
-    const [from, to] = [view.project(middle), view.project(ahead)];
-    return from && to && [from, to];
+    const [from, half, to] = [0, 0.5, 1].map((share) => view.project(moved(middle, direction, share * reach)));
+    return from && half && to ? [from, half, to] : null;
   }
 
   #take(event: PointerEvent): Drag | null {
@@ -96,14 +99,15 @@ export class CutHandle {
     if (!ends || !plane) return null;
     event.preventDefault();
     this.element.focus({ preventScroll: true });
-    const [[x, y], [toX, toY]] = ends;
-    const pixels = Math.max(LEAST_PIXELS, Math.hypot(toX - x, toY - y));
-    const worth: [number, number] = [(toX - x) / pixels ** 2, (toY - y) / pixels ** 2];
-    return { x: event.clientX, y: event.clientY, place: plane.place, worth, gesture: {} };
+    const [from, half, to] = ends;
+    const whole = Math.max(LEAST_PIXELS, Math.hypot(to[0] - from[0], to[1] - from[1]));
+    const along: Pixel = [(to[0] - from[0]) / whole, (to[1] - from[1]) / whole];
+    const { clientX: x, clientY: y } = event;
+    return { x, y, place: plane.place, along, whole, half: component(from, half, along), gesture: {} };
   }
 
-  #move({ clientX, clientY }: PointerEvent, { x, y, place, worth: [right, down], gesture }: Drag): void {
-    this.#put(place + (clientX - x) * right + (clientY - y) * down, gesture);
+  #move({ clientX, clientY }: PointerEvent, { x, y, place, along, whole, half, gesture }: Drag): void {
+    this.#put(place + wayOf(component([x, y], [clientX, clientY], along), whole, half), gesture);
   }
 
   #key(event: KeyboardEvent): void {
@@ -118,4 +122,19 @@ export class CutHandle {
     const [least, most] = INSIDE_RANGES.place;
     this.#grip.put(Math.min(most, Math.max(least, place)), gesture);
   }
+}
+
+function component(from: Pixel, to: Pixel, [right, down]: Pixel): number {
+  return (to[0] - from[0]) * right + (to[1] - from[1]) * down;
+}
+
+/**
+ * How far along its way what is seen `pixels` further is, where the end of the way is `whole` pixels ahead and its middle `half`: places on
+ * a line in space are seen at a · t / (1 + b · t).
+ */
+export function wayOf(pixels: number, whole: number, half: number): number {
+  const b = whole > 2 * LEAST_PIXELS && half > 0 && half < whole ? (2 * half - whole) / (whole - half) : 0;
+  const rest = whole * (1 + b) - b * pixels;
+  // Beyond where all lines along the way meet.
+  return rest > 0 ? pixels / rest : Math.sign(pixels) * Infinity;
 }

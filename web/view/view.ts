@@ -352,6 +352,12 @@ export class View extends Screen {
     return { point: section ? innerPoint(section, triangle, weights) : { face: triangle, weights }, position };
   }
 
+  /** The pin whose ball is seen under a pixel of the window, or within `slack` pixels; −1 for none. */
+  pinAt(x: number, y: number, slack: number): number {
+    if (this.#isPreview) return -1;
+    return this.use((viewer) => viewer.pick_pin(...this.toCanvas(x, y), slack)) ?? -1;
+  }
+
   /** CSS pixels of the window; null behind the camera and while a preview is drawn. */
   project(position: Vector): [number, number] | null {
     if (this.#isPreview) return null;

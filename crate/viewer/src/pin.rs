@@ -7,6 +7,7 @@ use crate::shader::shader_module;
 use crate::shared::Shared;
 use crate::solid::{Detail, Solid, SolidBuffers, SolidPipelines};
 use crate::vertex::vertex_layout;
+use heatwalk_bake::Ray;
 
 #[repr(C)]
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
@@ -26,6 +27,10 @@ const BALL_RADIUS: f32 = 0.2;
 const NEEDLE_RADIUS: f32 = 0.035;
 /// Greatest height of a pin, in bounding radii; see pin.wgsl.
 const TALLEST: f32 = 0.2;
+/// As pin.wgsl has them: height in bounding radii, CSS pixels at most, and the factor for the selected one.
+const SIZE: f32 = 0.15;
+const MAX_PIXELS: f32 = 76.0;
+const SELECTED: f32 = 1.22;
 const NEEDLE: [f32; 2] = [0.0, 0.0];
 const BALL: [f32; 2] = [1.0, 0.0];
 
@@ -59,6 +64,20 @@ impl Pins {
             selected: if selected == Some(index) { 1.0 } else { 0.0 },
         });
         self.instances.set(context, pins);
+    }
+
+    /// The pin whose ball a ray meets first, and how far along the ray; `slack` makes balls so much larger. `radius` is the surface's
+    /// bounding radius; `pixel` says how large a CSS pixel is at a place.
+    pub(crate) fn cast(&self, ray: Ray, slack: f32, radius: f32, pixel: impl Fn(Vec3) -> f32) -> Option<(usize, f32)> {
+        let depths = self.instances.items().iter().enumerate().filter_map(|(index, pin)| {
+            let pixel = pixel(pin.foot);
+            let size = (SIZE * radius).min(MAX_PIXELS * pixel) * if pin.selected > 0.0 { SELECTED } else { 1.0 };
+            let ball = pin.foot + (1.0 - BALL_RADIUS) * size * pin.up - ray.origin;
+            let depth = ball.dot(ray.direction);
+            let is_met = ball.length_squared() - depth * depth < (BALL_RADIUS * size + slack * pixel).powi(2);
+            (depth > 0.0 && is_met).then_some((index, depth))
+        });
+        depths.min_by(|one, other| one.1.total_cmp(&other.1))
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {

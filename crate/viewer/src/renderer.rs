@@ -229,6 +229,17 @@ impl Renderer {
         })
     }
 
+    /// The pin whose ball is seen under a physical pixel, or within `slack` CSS pixels.
+    #[must_use]
+    pub fn pick_pin(&self, pixel: Vec2, slack: f32) -> Option<usize> {
+        let (ray, eye) = (self.camera.ray(pixel), self.camera.eye());
+        let slope = eye.pixel_slope * f64::from(self.camera.pixel_ratio());
+        let css_pixel = |place: Vec3| (slope * eye.world_from_view.z_axis.dot(eye.position - place.as_dvec3())) as f32;
+        let (index, depth) = self.pins.cast(ray, slack, self.radius(), css_pixel)?;
+        let is_hidden = self.pick(pixel).is_some_and(|hit| hit.point.distance(ray.origin) < depth);
+        (!is_hidden).then_some(index)
+    }
+
     /// Physical pixel and depth of a world point; None behind the camera.
     #[must_use]
     pub fn project(&self, point: Vec3) -> Option<Vec3> {

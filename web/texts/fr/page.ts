@@ -269,6 +269,10 @@ export const PAGE: Texts = {
     'Le préréglage de ce lien n’existe pas ; le premier est montré.',
   'This link was made by another version of the page; some of it may be ignored.':
     'Ce lien vient d’une autre version de la page ; une partie peut en être ignorée.',
+  "The link's {1} is left out: it is for a mesh that the link does not name, or that does not exist.":
+    '{1} du lien est laissé de côté : c’est pour un maillage que le lien ne nomme pas, ou qui n’existe pas.',
+  "The link's {1} are left out: they are for a mesh that the link does not name, or that does not exist.":
+    '{1} du lien sont laissés de côté : c’est pour un maillage que le lien ne nomme pas, ou qui n’existe pas.',
   "The link's {1} is invalid; the default is used.":
     '{1} dans le lien n’est pas valable ; la valeur par défaut est utilisée.',
   "The link's {1} are invalid; the defaults are used.":
@@ -357,6 +361,8 @@ export const PAGE: Texts = {
   'Open the mesh again': 'Rouvrir le maillage',
   'Some sources of the link are not on this mesh and were removed.':
     'Certaines sources du lien ne sont pas sur ce maillage et ont été enlevées.',
+  'No source of the link is on this mesh; one was chosen.':
+    'Aucune source du lien n’est sur ce maillage ; une autre a été choisie.',
   'The link asks for links={0}; no more than {1} can be made.':
     'Le lien demande links={0} ; il ne peut pas y en avoir plus de {1}.',
   'The animation of the link is not in this mesh and was left out.':

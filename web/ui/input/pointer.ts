@@ -156,8 +156,9 @@ export class PointerInput {
   #moveSource(press: Press, x: number, y: number): void {
     const { scene, view } = this.#o.session;
     if (press.target.kind !== 'source') return;
-    const hit = view.pick(x, y);
-    if (hit) moveSource(scene, press.target.index, hit.point, press.gesture);
+    const { index, foot } = press.target;
+    const hit = view.pick(x + foot[0], y + foot[1]);
+    if (hit) moveSource(scene, index, hit.point, press.gesture);
   }
 
   #moveCorner(x: number, y: number): void {

@@ -48,8 +48,12 @@ export function tapesTable(session: Session, tapes: Tapes): HTMLElement {
   const show = () => {
     const measured = tapes.measured.value;
     if (cards.length !== measured.length) {
+      const focused = cards.findIndex(({ element }) => element.contains(document.activeElement));
       cards = measured.map((_, index) => card(session, index));
       list.replaceChildren(...cards.map(({ element }) => element));
+      // Whoever deletes one goes on with the next.
+      if (focused >= 0)
+        cards[Math.min(focused, cards.length - 1)]?.element.querySelector<HTMLElement>('.small')?.focus();
     }
     measured.forEach((each, index) => cards[index]?.show(each, unitNow()));
     list.hidden = buttons.hidden = measured.length === 0;

@@ -1,7 +1,7 @@
 import type { MeshPoint } from '../../protocol';
 import { bestDistanceAt } from '../../session/distances';
 import type { Session } from '../../session/session';
-import { type ModelLength, ofModel, unitOf } from '../../length';
+import { isSameUnit, type ModelLength, ofModel, unitOf } from '../../length';
 import { h, say } from '../dom';
 import { hasCosts } from '../../state/ground';
 import { measure } from '../../state/measures';
@@ -30,6 +30,10 @@ export class Readout {
 
   constructor(session: Session) {
     this.#session = session;
+    session.scene.subscribe((state, previous) => {
+      if (this.#reading && !isSameUnit(state, previous))
+        this.show(this.#reading.point, this.#reading.x, this.#reading.y);
+    });
   }
 
   show(point: MeshPoint, x: number, y: number): void {

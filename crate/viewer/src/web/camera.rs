@@ -98,6 +98,12 @@ impl Viewer {
         self.renderer.pick(Vec2::new(x, y)).map(Hit)
     }
 
+    /// The pin whose ball is seen under a physical pixel, or within `slack` CSS pixels.
+    #[must_use]
+    pub fn pick_pin(&self, x: f32, y: f32, slack: f32) -> Option<usize> {
+        self.renderer.pick_pin(Vec2::new(x, y), slack)
+    }
+
     /// Physical pixel and depth of a world point; undefined behind the camera.
     #[must_use]
     pub fn project(&self, x: f32, y: f32, z: f32) -> Option<Vec<f32>> {

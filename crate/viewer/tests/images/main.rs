@@ -13,6 +13,7 @@ mod scenes;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use glam::Vec2;
 use heatwalk_viewer::{Context, Error, Hierarchy, MeshArrays, Renderer};
 use libtest_mimic::{Arguments, Failed, Trial};
 
@@ -38,9 +39,10 @@ fn main() -> ExitCode {
             compare_with_reference(scene.name, &picture(&mut shown(&device?, scene.show)?)?)
         })
     });
-    let others: [(_, Test); 16] = [
+    let others: [(_, Test); 17] = [
         ("a_refused_mesh_leaves_the_picture_as_it_is", a_refused_mesh_leaves_the_picture_as_it_is),
         ("the_unit_of_a_field_does_not_matter", the_unit_of_a_field_does_not_matter),
+        ("balls_of_pins_are_met_where_they_are_seen", balls_of_pins_are_met_where_they_are_seen),
         ("a_leaning_normal_map_leans_the_surface", materials::a_leaning_normal_map_leans_the_surface),
         ("panes_are_blended_from_back_to_front", materials::panes_are_blended_from_back_to_front),
         ("lights_of_a_file_follow_their_laws", materials::lights_of_a_file_follow_their_laws),
@@ -132,5 +134,35 @@ fn the_unit_of_a_field_does_not_matter(device: &Context) -> Result<(), Failed> {
         let difference = drawn(unit)?.difference(&usual);
         assert!(difference.is_small(), "{difference} at {unit:e}");
     }
+    Ok(())
+}
+
+/// Of three pins the third is behind the surface, and one is before another.
+fn balls_of_pins_are_met_where_they_are_seen(device: &Context) -> Result<(), Failed> {
+    let mut renderer = shown(device, scenes::alone)?;
+    let without = picture(&mut renderer)?;
+    let pins = scenes::pins(&mut renderer)?;
+    let with = picture(&mut renderer)?;
+    let centers = pins.map(|pin| renderer.project(1.12 * pin).expect("before the eye").truncate());
+    let mut seen = [0; 3];
+    let mut elsewhere = 0;
+    for (y, x) in (0..image::HEIGHT).flat_map(|y| (0..image::WIDTH).map(move |x| (y, x))) {
+        let [red, green, blue] = with.pixel(x, y).map(u32::from);
+        let is_ball = with.pixel(x, y) != without.pixel(x, y) && green > 60 && green > 2 * blue.max(red / 2);
+        let pixel = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
+        let met = renderer.pick_pin(pixel, 0.0);
+        if let Some(index) = met {
+            seen[index] += 1;
+            assert!(pixel.distance(centers[index]) < 20.0, "the pin that is there");
+        }
+        elsewhere += u32::from(met.is_some() != is_ball);
+    }
+    assert!(seen[0] > 40 && seen[1] > 40 && seen[2] == 0, "{seen:?}");
+    assert!(5 * elsewhere < seen[0] + seen[1], "{elsewhere} of {seen:?} along rims");
+    let [x, y] = centers[0].to_array();
+    let beside = (0..image::WIDTH).map(|right| Vec2::new(x + right as f32, y));
+    let beside = beside.take_while(|&pixel| renderer.pick_pin(pixel, 0.0) == Some(0)).last().expect("the ball");
+    assert_eq!(renderer.pick_pin(beside + 4.0 * Vec2::X, 0.0), None);
+    assert_eq!(renderer.pick_pin(beside + 4.0 * Vec2::X, 6.0), Some(0));
     Ok(())
 }

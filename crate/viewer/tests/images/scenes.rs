@@ -224,6 +224,20 @@ fn pins_path_and_walker(renderer: &mut Renderer) -> Result<(), Error> {
     Ok(())
 }
 
+/// The sphere without stripes, seen from near.
+pub fn alone(renderer: &mut Renderer) -> Result<(), Error> {
+    show_sphere(renderer, 1.0, 4.0, PLAIN)?;
+    renderer.move_camera(|camera| camera.set_view(View { distance: 3.2, ..camera.view() }));
+    Ok(())
+}
+
+/// Pins in it, of which the second is selected and the third on the far side; their feet.
+pub fn pins(renderer: &mut Renderer) -> Result<[Vec3; 3], Error> {
+    let pins = [SOURCE, Vec3::new(0.62, 0.66, 0.43).normalize(), Vec3::new(-0.4, -0.3, -0.85).normalize()];
+    renderer.set_pins(&pins, &pins, Some(1))?;
+    Ok(pins)
+}
+
 /// Sixty walkers on the side that is seen, from near.
 fn crowd(renderer: &mut Renderer) -> Result<(), Error> {
     show_sphere(renderer, 1.0, 4.0, PLAIN)?;
