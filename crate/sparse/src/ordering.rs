@@ -120,9 +120,9 @@ fn minimum_degree(pattern: &Pattern) -> Result<(Permutation, f64)> {
     let pattern = view(pattern);
     let size = pattern.nrows();
     let mut permutation = Permutation { old_of_new: vec![0; size], new_of_old: vec![0; size] };
-    let scratch = amd::order_maybe_unsorted_scratch::<u32>(size, pattern.compute_nnz());
+    let scratch = amd::order_scratch::<u32>(size, pattern.compute_nnz());
     let mut memory = MemBuffer::try_new(scratch).map_err(|_| out_of_memory())?;
-    let work = amd::order_maybe_unsorted(
+    let work = amd::order(
         &mut permutation.old_of_new,
         &mut permutation.new_of_old,
         pattern,

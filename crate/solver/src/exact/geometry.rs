@@ -320,12 +320,19 @@ impl ExactGeometry {
     /// Root-mean-square of the angle defects, in radians, none counting for more than [`SHARPEST`]. Vertices count for these areas
     /// (`#V`), and those on boundaries and junctions not at all.
     pub(crate) fn bumpiness(&self, areas: &[f64]) -> f64 {
+        // Face by face, in the order in which they lie in memory.
+        let mut angles = vec![AngleSum::default(); self.surface.vertex_count()];
+        for (corners, frame) in self.surface.faces().iter().zip(&self.frames) {
+            for (vertex, side) in corners.iter().zip(&frame.0) {
+                angles[vertex.index()].add(side.cos, side.sin);
+            }
+        }
         let (mut whole, mut sum) = (0.0, 0.0);
-        for (vertex, &area) in self.surface.vertices().zip(areas) {
+        for ((vertex, &area), angle) in self.surface.vertices().zip(areas).zip(&angles) {
             let is_inside = matches!(self.bends[vertex.index()], Bend::Never | Bend::Saddle);
             if is_inside && !self.surface.boundary_vertices()[vertex] {
                 whole += area;
-                let defect = smaller((self.angle_around(vertex).radians() - 2.0 * PI).abs(), SHARPEST);
+                let defect = smaller((angle.radians() - 2.0 * PI).abs(), SHARPEST);
                 sum += area * defect * defect;
             }
         }
