@@ -64,7 +64,7 @@ const folders = folderDialogue(openFiles);
 const messages = new Messages(dialogue.choose);
 const tool = new Signal<Tool>('source');
 const ground = new GroundEditor(session, tool);
-const opener = new Opener(session, messages, ground);
+const opener = new Opener(session, messages);
 const address = new Address(scene);
 messages.sumsUp = !address.kiosk;
 const known = location.hash;
@@ -219,7 +219,7 @@ async function begin(): Promise<void> {
   await Promise.all([view.start(), opener.link(known)]);
   await new Promise(requestAnimationFrame);
 }
-const host = { session, messages, ground, commands, link: () => address.link() };
+const host = { session, messages, commands, link: () => address.link() };
 let script: Script | null = null;
 expose(
   session,

@@ -1,6 +1,7 @@
 /** Large meshes: drawn before they are solved, and the former scene comes back where they are not. */
 import type { Page } from '@playwright/test';
 import { crossings, difference, expect, type HeatwalkPage, SEEN, test } from '../page';
+import { off, sphere } from '../fixtures';
 import { runInWorkers, workerThatPrints } from '../worker';
 
 test.use(SEEN);
@@ -215,3 +216,15 @@ for (const [end, sentence] of [
     expect(await page.evaluate(() => window.heatwalk.field)).not.toBeNull();
   });
 }
+
+test('what reads files is there before the first of them', async ({ heatwalk, page }) => {
+  const asked: string[] = [];
+  page.context().on('request', (request) => {
+    if (/heatwalk_reader_bg/.test(request.url())) asked.push(request.url());
+  });
+  await heatwalk.open('#m=icosphere');
+  await expect.poll(() => asked.length).toBe(1);
+  await heatwalk.dropAndOpen([['ball.off', off(sphere(8))]]);
+  // The worker after that has one too, from the store of the browser.
+  expect(new Set(asked).size).toBe(1);
+});

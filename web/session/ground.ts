@@ -12,15 +12,13 @@ import {
   type Terrain,
   toggled,
 } from '../state/brush';
-import { codesOfRows, codesOfVertices } from '../state/costs';
-import { type Ground, LEVEL, type WallLine, withFaces } from '../state/ground';
+import { type Ground, LEVEL, type WallLine } from '../state/ground';
 import { type Vector, distance } from '../state/vector';
 import { Signal } from '../state/signal';
 import type { Tool } from '../state/tool';
 import type { PointHit } from '../view/view';
 import type { Session } from './session';
 import { t } from '../texts';
-import { entry } from '../state/entry';
 
 /** Pixels around a wall along edges within which it is meant. */
 const GRIP_PX = 9;
@@ -157,31 +155,6 @@ export class GroundEditor {
     const { scene } = this.#session;
     const all = Array.from({ length: triangles }, (_, face) => face);
     scene.edit({ ground: filled(scene.state.ground, triangles, all, codeOfMaterial(this.brush.value)) });
-  }
-
-  /** Paints what the rows of a CSV file say that triangles cost, in the place of what is painted. Throws where a row is none. */
-  paintRows(name: string, text: string): void {
-    if (this.#session.shown.value?.opened.interior)
-      throw new Failure(t`${name} is for surfaces: inside of tetrahedra nothing is painted.`);
-    this.#repaint(codesOfRows(name, text, this.#triangles));
-  }
-
-  /** Paints what the file of the mesh says that vertices cost. */
-  paintWeights(): void {
-    const opened = this.#session.shown.value?.opened;
-    if (!opened?.weights) return;
-    const { surface, inputVertices, weights } = opened;
-    const corners = surface.triangles.map((drawn) => entry(inputVertices, drawn));
-    try {
-      this.#repaint(codesOfVertices(weights.name, weights.values, corners));
-    } catch (error) {
-      this.#session.fail(error);
-    }
-  }
-
-  #repaint(codes: Uint8Array): void {
-    const { scene } = this.#session;
-    scene.edit({ ground: withFaces(scene.state.ground, codes) });
   }
 
   /** Takes away all that is painted, and all walls. */

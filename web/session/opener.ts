@@ -17,7 +17,6 @@ import { emptyScene, type MeshReference, type SceneState, TRIANGLES } from '../s
 import { type SourceSet, UNCHOSEN } from '../state/sources';
 import { MODEL_STYLE } from '../state/styles';
 import { AUTOMATIC, DEFAULT_WINDOWS, MESH_TOO_LARGE, TOO_MANY_WINDOWS, TRIANGLE_BYTES } from '../wasm/contract';
-import type { GroundEditor } from './ground';
 import type { LoadingListener } from './loading';
 import type { Action, Notifier } from './notifier';
 import type { OpenRequest, Shown } from './prepare';
@@ -68,7 +67,6 @@ const NO_PLACES = { sources: UNCHOSEN, sets: [], walker: undefined, tapes: [], l
 export class Opener {
   readonly #session: Session;
   readonly #notifier: Notifier;
-  readonly #ground: GroundEditor;
   /** What a link wants to see of a file that only the user can give, or of an address that only the user may open. */
   #awaited: SceneState | null = null;
   /** What could not be used of the link that wants this state. */
@@ -76,10 +74,9 @@ export class Opener {
   /** How often a mesh was begun to be opened: what takes time to find is not opened once another one is. */
   #begun = 0;
 
-  constructor(session: Session, notifier: Notifier, ground: GroundEditor) {
+  constructor(session: Session, notifier: Notifier) {
     this.#session = session;
     this.#notifier = notifier;
-    this.#ground = ground;
   }
 
   /** What a link waits for: the address must not change before. */
@@ -107,7 +104,7 @@ export class Opener {
     }
     if (only && given.every(({ path }) => isTable(path))) {
       const { takeTable } = await import('./texts');
-      await takeTable(this.#session, this.#notifier, this.#ground, given);
+      await takeTable(this.#session, this.#notifier, given);
       return;
     }
     if (only && more.length === 0 && isArchive(only.path) && (await this.#scene(title, only.content))) return;

@@ -4,7 +4,7 @@ import { fileName } from '../files/paths';
 import { detailsOf, Failure, sentenceOf } from '../error';
 import type { InputFile } from '../protocol';
 import { isList, isNamedList, isOneLine } from '../state/list';
-import type { GroundEditor } from './ground';
+import { paintRows } from './costs';
 import type { Notifier } from './notifier';
 import type { Session } from './session';
 import { counted, enumerated, t } from '../texts';
@@ -13,12 +13,7 @@ import { counted, enumerated, t } from '../texts';
 const TOLD_LETTERS = 40;
 
 /** Adds sources to the mesh on screen, or paints its ground: what a heading says, and without one the ground. Takes one table alone. */
-export async function takeTable(
-  session: Session,
-  notifier: Notifier,
-  ground: GroundEditor,
-  tables: readonly InputFile[],
-): Promise<void> {
+export async function takeTable(session: Session, notifier: Notifier, tables: readonly InputFile[]): Promise<void> {
   await reported(notifier, async () => {
     const [table] = tables;
     if (!table || tables.length > 1) {
@@ -27,7 +22,7 @@ export async function takeTable(
     }
     const name = fileName(table.path);
     const text = await table.content.text();
-    if (!isNamedList(text)) return ground.paintRows(name, text);
+    if (!isNamedList(text)) return paintRows(session, name, text);
     const { addList } = await import('./sets');
     notifier.remark(addList(session, name, text));
   });

@@ -3,7 +3,6 @@ import type { Distances, MeshFigures, Openable, Options, Path, Source, Place, St
 import { Failure } from '../../error';
 import { convertible } from '../../length';
 import type { MeshPoint } from '../../protocol';
-import type { GroundEditor } from '../../session/ground';
 import type { Notifier } from '../../session/notifier';
 import { Opener, startOf, startOfFile } from '../../session/opener';
 import type { Shown } from '../../session/prepare';
@@ -23,7 +22,6 @@ export interface ActionsOptions {
   session: Session;
   /** Where what is opened is reported. */
   messages: Notifier;
-  ground: GroundEditor;
   /** To the present scene. */
   link: () => string;
 }
@@ -38,13 +36,13 @@ export class Actions {
   }
 
   async open(what: Openable): Promise<MeshFigures> {
-    const { session, messages, ground } = this.#o;
+    const { session, messages } = this.#o;
     // What is in the address of the page would come back over it.
     await this.#api.ready;
     const before = session.shown.value?.opened;
     let reason: Words | null = null;
     const notifier = quiet(messages, (failure) => (reason = failure));
-    await openWith(new Opener(session, notifier, ground), what);
+    await openWith(new Opener(session, notifier), what);
     const { value: shown } = session.shown;
     if (reason !== null) throw new Failure(reason);
     if (!shown || shown.opened === before) throw new Error('The opening was cancelled.');

@@ -1,4 +1,5 @@
 import type { DrawPath } from '../../protocol';
+import { paintWeights } from '../../session/costs';
 import { type GroundEditor, NO_GROUND } from '../../session/ground';
 import type { Session } from '../../session/session';
 import { colourOfCost, WALL_COLOURS } from '../../session/tints';
@@ -104,7 +105,7 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
     { class: 'small', title: t('Takes away all that is painted, and all walls'), onclick: () => editor.clear() },
     t('Clear'),
   );
-  const ofFile = h('button', { class: 'small', hidden: true, onclick: () => editor.paintWeights() }, COSTS_OF_FILE);
+  const ofFile = h('button', { class: 'small', hidden: true, onclick: () => paintWeights(session) }, COSTS_OF_FILE);
   const slope = toggle(t('Slope'), (on) => editor.setRelief({ slope: on }));
   attribute(slope.element, 'title', t('Tobler’s hiking function, as the mean of uphill and downhill'));
   const slopeHint = h('p', { class: 'quiet' });

@@ -17,6 +17,7 @@ import { innerSolver, interiorBytes, interiorOf } from '../interior';
 import { type Mesh, openMesh, openSurface, type ShownAs, setMesh } from '../mesh';
 import { FILLED_FROM, lookOf, openingOf, sourceOf } from '../opening';
 import { through } from '../through';
+import { readTriangle } from '../reader';
 import { solveSmallShapes } from '../warming';
 
 /** Where building, drawing and what comes after begin in the time that opening takes, for the progress bar. */
@@ -55,10 +56,12 @@ export async function start(module: WebAssembly.Module): Promise<void> {
   await ready;
 }
 
-/** Solves a small shape and forgets it, so that the browser has optimised the solver's code before a mesh comes. */
+/** Solves small shapes and reads a small file, so that the browser has optimised this code before a mesh comes. */
 export async function warmUp(): Promise<void> {
   await ready;
   solveSmallShapes();
+  // Where the reader is not to be had, the next file says so.
+  await readTriangle().catch(() => undefined);
 }
 
 /**
