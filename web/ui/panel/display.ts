@@ -5,6 +5,7 @@ import { LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from 
 import { AUTOMATIC, UP, type Up, VERTEX_FIELD, type VertexField } from '../../wasm/contract';
 import { available } from '../../session/overlays';
 import { attribute, h, labelled, radios, say, select, slider, toggle } from '../dom';
+import { calmly } from './calm';
 import { KEYS, withKey } from '../keys';
 import { hasWalls } from '../../state/ground';
 import { finePercent } from '../words';
@@ -87,7 +88,7 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
     say(legend, legendOf(session, scene.state));
     legend.hidden = legend.textContent === '';
   };
-  const show = () => {
+  const show = calmly(session, () => {
     const { colorBy: shown, overlays: drawn, method } = scene.state;
     colorBy.offer((field) => method === 'heat' || !OF_HEAT.colorBy.includes(field));
     colorBy.show(shown);
@@ -104,7 +105,7 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
     arrows.show(ARROWS.find((name) => shownOverlays.includes(name)) ?? 'none');
     crowd.show(Math.round(CROWD_STEPS * Math.sqrt(scene.state.crowd / LARGEST_CROWD)));
     showLegend();
-  };
+  });
   scene.subscribe(show);
   session.shown.watch((shown) => {
     show();

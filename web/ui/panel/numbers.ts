@@ -4,6 +4,7 @@ import type { Session } from '../../session/session';
 import { isSameUnit, type LengthUnit, unitOf } from '../../length';
 import { hasCosts } from '../../state/ground';
 import { h, say } from '../dom';
+import { calmly } from './calm';
 import { measure, threeDigits } from '../../state/measures';
 import { bytes, finePercent, milliseconds, percent, percentDown } from '../words';
 import { count, listed, t, type Words } from '../../texts';
@@ -24,7 +25,7 @@ export function numbersSection(session: Session): HTMLElement {
   };
   const [renderer, pixels] = [row(t('Renderer')).cell, row(t('Pixels drawn')).cell];
   const rows: ReturnType<typeof row>[] = [];
-  const show = () => {
+  const show = calmly(session, () => {
     const { scene, shown } = session;
     if (!shown.value) return;
     figures(shown.value, unitOf(scene.state, shown.value.opened)).forEach(([name, value], index) => {
@@ -32,7 +33,7 @@ export function numbersSection(session: Session): HTMLElement {
       say(head, name);
       say(cell, value);
     });
-  };
+  });
   session.shown.watch(show);
   session.scene.subscribe((state, previous) => {
     if (!isSameUnit(state, previous)) show();

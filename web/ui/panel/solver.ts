@@ -20,6 +20,7 @@ import {
   WINDOWS,
 } from '../../wasm/contract';
 import { automaticSlider, h, labelled, reason, say, select, toggle } from '../dom';
+import { calmly } from './calm';
 import { BOUNDARIES, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS, timeFactor } from '../settings';
 import { linksSentence, refiningSentence } from '../words';
 import { count, t, type Words } from '../../texts';
@@ -121,7 +122,7 @@ export function solverSection(session: Session): HTMLElement {
     );
   };
 
-  const show = () => {
+  const show = calmly(session, () => {
     const { parameters, ...state } = scene.state;
     const isByHeat = state.method === 'heat';
     for (const element of [...ofHeat, ...moreOfHeat]) element.hidden = !isByHeat;
@@ -168,7 +169,7 @@ export function solverSection(session: Session): HTMLElement {
       isSame ? t('All triangles are Delaunay, and none is thin: all of these are the same.') : null,
     );
     solver.show(parameters.solver);
-  };
+  });
   scene.subscribe((state, previous) => {
     if (
       state.method !== previous.method ||

@@ -6,6 +6,7 @@ import { inModel, isSameUnit, MODEL, type ModelLength, ofModel, typed, unitOf } 
 import type { SceneState } from '../../state/scene';
 import type { Signal } from '../../state/signal';
 import { attribute, h, say } from '../dom';
+import { calmly } from './calm';
 import type { Tool } from '../../state/tool';
 import { setName, unreachedSentence } from '../words';
 import { t, type Words } from '../../texts';
@@ -102,7 +103,7 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
     const unitName = h('span', { class: 'initial-unit' });
     return h('label', { class: 'initial quiet' }, t('initial'), field, unitName);
   };
-  const show = () => {
+  const fill = () => {
     const { selected } = scene.state;
     const unit = shownUnit();
     rows.forEach((element, index) => {
@@ -120,11 +121,13 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
       if (unitName) say(unitName, unit.symbol);
     });
   };
+  const show = calmly(session, fill);
   scene.subscribe((state, previous) => {
     // A drag changes places, not the rows: rebuilding them would drop the focus.
     if (state.sources.length !== previous.sources.length || state.sets.length !== previous.sets.length) {
       const focused = rows.findIndex((one) => one.contains(document.activeElement));
       build();
+      fill();
       // Whoever deletes one goes on with the next, or sets another.
       const next = rows[Math.min(focused, rows.length - 1)]?.querySelector<HTMLElement>('.small');
       if (focused >= 0) (next ?? session.view.stage).focus();
