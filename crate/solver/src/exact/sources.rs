@@ -25,6 +25,16 @@ const SHADOW_GRAINS: f64 = 100.0;
 /// the edge do not tell directions.
 const NARROW: f64 = 1e5;
 
+/// A point of a face that windows begin at.
+#[derive(Debug, Clone, Copy)]
+struct Light {
+    face: u32,
+    weights: [f64; 3],
+    /// The distance there.
+    value: f64,
+    root: u32,
+}
+
 /// A border of the shadow behind a vertex.
 #[derive(Debug, Clone, Copy)]
 struct Border {
@@ -73,34 +83,49 @@ impl Wavefront {
     /// Sends windows from all sources.
     pub(super) fn start(&mut self) {
         let geometry = Arc::clone(&self.geometry);
-        for number in 0..self.sources.len() {
-            let source = self.sources[number];
-            let value = source.initial_distance();
-            let faces = geometry.faces_at(&self.surface, source.place());
+        let mut lights = Vec::new();
+        for (number, source) in self.sources.iter().enumerate() {
             let root = (self.surface.vertex_count() + number) as u32;
-            for &(face, weights) in &faces {
-                self.light_from_inside(face, weights, value, root);
+            for (face, weights) in geometry.faces_at(&self.surface, source.place()) {
+                let light = Light { face, weights, value: source.initial_distance(), root };
+                self.is_refused |= !room::push(&mut lights, light);
             }
         }
-        self.leave_lit();
+        self.light_faces(lights);
         self.deliver_gathered(&geometry);
     }
 
-    /// Lights a face from a point of it: windows [leave](Self::leave_lit) by all edges that it does not lie on, and straight lines go to the
-    /// corners.
-    fn light_from_inside(&mut self, face: u32, weights: [f64; 3], value: f64, root: u32) {
+    /// Lights faces from points of them, each face from all of its points together: of many sources in one place, windows of one after
+    /// another would be divided among all before.
+    fn light_faces(&mut self, mut lights: Vec<Light>) {
+        lights.sort_by_key(|light| light.face);
+        for of_face in lights.chunk_by(|a, b| a.face == b.face) {
+            self.light_from_inside(of_face[0].face, of_face);
+        }
+    }
+
+    /// Sends windows from points of a face by all edges that they do not lie on, and straight lines to the corners.
+    fn light_from_inside(&mut self, face: u32, lights: &[Light]) {
         let geometry = Arc::clone(&self.geometry);
         let frame = &geometry.frames[face as usize];
         for k in 0..3 {
-            let [x, depth] = frame.place(k, weights);
-            self.offer(frame[k].vertex, value + length(x, depth), Origin::Straight { face, root });
-            if depth > 0.0 {
-                let (x, offset) = (frame[k].length - x, value);
-                let all = Beam { begin: 0.0, end: frame[k].length, x, depth, offset, root };
-                self.is_refused |= !room::push(&mut self.lit, (face * 3 + k as u32, all));
+            let mut windows = Vec::new();
+            for &Light { weights, value, root, .. } in lights {
+                let [x, depth] = frame.place(k, weights);
+                self.offer(frame[k].vertex, value + length(x, depth), Origin::Straight { face, root });
+                if depth > 0.0 {
+                    let (x, offset) = (frame[k].length - x, value);
+                    let all = Beam { begin: 0.0, end: frame[k].length, x, depth, offset, root };
+                    self.is_refused |= !room::push(&mut windows, all);
+                }
+            }
+            if !windows.is_empty() {
+                self.leave(face * 3 + k as u32, windows);
             }
         }
-        self.see_straight(frame, face, weights, (value, root));
+        for light in lights {
+            self.see_straight(frame, face, light.weights, (light.value, light.root));
+        }
     }
 
     /// Offers the targets and the ends of portals in a face straight lines from a root there.
@@ -121,21 +146,8 @@ impl Wavefront {
         self.ends.values[other as usize] = value;
         self.ends.origins[other as usize] = Origin::Portal;
         let root = self.root_of_end(other);
-        for (face, weights) in geometry.faces_at(&self.surface, portals.places()[other as usize]) {
-            self.light_from_inside(face, weights, value, root);
-        }
-        self.leave_lit();
-    }
-
-    /// Sends what [sources](Self::light_from_inside) have lit out of their faces, all windows of a half-edge together: of many sources in
-    /// one place, one after another would be divided among all before.
-    fn leave_lit(&mut self) {
-        let mut lit = std::mem::take(&mut self.lit);
-        // Its memory goes too: after many sources have begun there are few at a time.
-        lit.sort_by_key(|&(halfedge, _)| halfedge);
-        for of_halfedge in lit.chunk_by(|a, b| a.0 == b.0) {
-            self.leave(of_halfedge[0].0, of_halfedge.iter().map(|&(_, window)| window));
-        }
+        let faces = geometry.faces_at(&self.surface, portals.places()[other as usize]);
+        self.light_faces(faces.into_iter().map(|(face, weights)| Light { face, weights, value, root }).collect());
     }
 
     /// Sends windows out of a face, cut by the values at the edge's ends.

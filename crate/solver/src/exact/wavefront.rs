@@ -53,8 +53,6 @@ pub struct Wavefront {
     pub(super) is_refused: bool,
     /// Items of the queue that are processed now; kept for its memory.
     batch: Vec<u32>,
-    /// Windows of sources, each with the half-edge by which it is to leave its face; kept for its memory.
-    pub(super) lit: Vec<(u32, Beam)>,
     /// Windows that cross now; kept for its memory.
     pub(super) crossing: Vec<Beam>,
     /// Those that leave by either half-edge; kept for its memory.
@@ -115,7 +113,6 @@ impl Wavefront {
             propagated: 0,
             is_refused: false,
             batch: Vec::new(),
-            lit: Vec::new(),
             crossing: Vec::new(),
             leaving: Default::default(),
             surface,
