@@ -122,6 +122,7 @@ fn minimum_degree(pattern: &Pattern) -> Result<(Permutation, f64)> {
     let mut permutation = Permutation { old_of_new: vec![0; size], new_of_old: vec![0; size] };
     let scratch = amd::order_scratch::<u32>(size, pattern.compute_nnz());
     let mut memory = MemBuffer::try_new(scratch).map_err(|_| out_of_memory())?;
+    // The rows of each column of a pattern are sorted, which this demands.
     let work = amd::order(
         &mut permutation.old_of_new,
         &mut permutation.new_of_old,
