@@ -20,6 +20,7 @@ import type { Workspace } from './state/workspace';
 import { commandsOf, cutOpen } from './ui/commands';
 import { h } from './ui/dom';
 import { dropTarget, fileDialogue, folderDialogue } from './ui/input/drop';
+import { keysAhead } from './ui/input/ahead';
 import { BrushInput } from './ui/input/brush';
 import { MeasureInput } from './ui/measure/input';
 import { DrawInput } from './ui/input/draw';
@@ -99,7 +100,11 @@ const help = () => {
 };
 
 const search = () => {
-  import('./ui/search/search').then(({ openSearch }) => openSearch(commands, opener, panel), fail);
+  const ahead = keysAhead();
+  import('./ui/search/search')
+    .then(({ openSearch }) => openSearch(commands, opener, panel, ahead))
+    .catch(fail)
+    .finally(ahead);
 };
 const menu = (beside: HTMLButtonElement) => {
   const options = {

@@ -1,4 +1,5 @@
 /** The shell: what opens a mesh, the workspaces with their tools, the search, and what a link says of them. */
+import { once } from 'node:events';
 import { expect, test } from '../page';
 
 test('one workspace is open, by mouse and by arrows, and a link opens where its author was', async ({
@@ -145,6 +146,28 @@ test('the search finds settings by name and by what is said of them, commands wi
   await field.fill('torus');
   await dialog.getByRole('option', { name: 'Torus' }).click();
   await expect.poll(() => page.evaluate(() => window.heatwalk.mesh?.name)).toBe('torus');
+});
+
+test('what is typed ahead of the search is for it, not for the model', async ({ heatwalk, page }) => {
+  await heatwalk.open('#m=icosphere');
+  await heatwalk.settled();
+  const come = new AbortController();
+  await page.route(/\/search-[^/]*\.js$/, async (route) => {
+    if (!come.signal.aborted) await once(come.signal, 'abort');
+    await route.continue();
+  });
+  const before = await heatwalk.scene();
+  await page.keyboard.press('Control+k');
+  // Keys of the file chooser, the legend and a tape among them, and one that is taken back.
+  await page.keyboard.type('goldx');
+  await page.keyboard.press('Backspace');
+  expect(await heatwalk.scene()).toEqual(before);
+  come.abort();
+  const field = page.getByRole('combobox', { name: 'Search settings and commands' });
+  await expect(field).toHaveValue('gold');
+  await expect(page.getByRole('region', { name: /^Legend/ })).toBeVisible();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('button', { name: 'gold', exact: true })).toBeFocused();
 });
 
 test('the search opens again in the moment in which it closes', async ({ heatwalk, page }) => {

@@ -395,7 +395,7 @@ test('a fragment without an existing mesh is not a scene', () => {
   });
   const { state, notices } = decodeLink('#v=1&m=unicorn', startOf);
   expect(state).toBeNull();
-  expect(notices.map(String)).toEqual(['The preset of this link does not exist; the first preset is shown.']);
+  expect(notices.map(String)).toEqual(['There is no preset “unicorn”; the first preset is shown.']);
 });
 
 function told(fragment: string): string[] {
@@ -407,7 +407,7 @@ test('what a link says of a mesh that it does not name, or that does not exist, 
     "The link's s=3 is left out: it is for a mesh that the link does not name, or that does not exist.",
   ]);
   expect(told('#v=1&m=unicorn&w=7&s=3')).toEqual([
-    'The preset of this link does not exist; the first preset is shown.',
+    'There is no preset “unicorn”; the first preset is shown.',
     "The link's s=3 and w=7 are left out: they are for a mesh that the link does not name, or that does not exist.",
   ]);
 });

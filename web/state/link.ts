@@ -245,11 +245,17 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   // A plus sign is one: spaces are written as %20.
   const readable = texts.filter((text) => !isMalformed(text)).join('&');
   const entries = new URLSearchParams(readable.replaceAll('+', '%2B'));
+  const [open, kiosk] = [entries.get('open'), entries.get('kiosk')];
+  if (open !== null && !isWorkspace(open)) refuse(`open=${open}`);
+  if (kiosk !== null && FLAG.parse(kiosk) === undefined) refuse(`kiosk=${kiosk}`);
   const notices: Words[] = [];
   const mesh = parseMesh(entries);
   const start = mesh === null || mesh instanceof Phrase ? null : startOf(mesh);
   if (mesh instanceof Phrase) notices.push(mesh);
-  else if (mesh && !start) notices.push(t('The preset of this link does not exist; the first preset is shown.'));
+  else if (mesh && !start)
+    notices.push(
+      t`There is no preset “${mesh.kind === 'preset' ? mesh.id.slice(0, MOST_NAMED) : ''}”; the first preset is shown.`,
+    );
   if (!start) {
     const left = KEYS.flatMap(({ key }) => (entries.has(key) ? [shortened(`${key}=${entries.get(key)}`)] : []));
     if (left.length > 0) notices.push(withoutMesh(left));
@@ -265,9 +271,6 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
     if (!next) refuse(`${key.key}=${text}`);
     return next;
   });
-  const [open, kiosk] = [entries.get('open'), entries.get('kiosk')];
-  if (open !== null && !isWorkspace(open)) refuse(`open=${open}`);
-  if (kiosk !== null && FLAG.parse(kiosk) === undefined) refuse(`kiosk=${kiosk}`);
   const known = new Set([...ADDRESS_KEYS, ...KEYS.map(({ key }) => key)]);
   return { state, notices, refused, unknown: [...entries.keys()].filter((key) => !known.has(key)) };
 }

@@ -265,8 +265,8 @@ export const PAGE: Texts = {
     'Un pas de {0} n’est pas inférieur à la plus grande distance, {1}. Donnez-en un plus petit.',
   '{0} is beyond the largest distance, {1}. Give smaller values.':
     '{0} dépasse la plus grande distance, {1}. Donnez des valeurs plus petites.',
-  'The preset of this link does not exist; the first preset is shown.':
-    'Le préréglage de ce lien n’existe pas ; le premier est montré.',
+  'There is no preset “{0}”; the first preset is shown.':
+    'Il n’y a pas de préréglage « {0} » ; le premier est affiché.',
   'This link was made by another version of the page; some of it may be ignored.':
     'Ce lien vient d’une autre version de la page ; une partie peut en être ignorée.',
   "The link's {1} is left out: it is for a mesh that the link does not name, or that does not exist.":

@@ -1,5 +1,5 @@
 /** What a file does not say of itself, unit and upward axis, to be corrected by a tap. Fetched when such a file is opened. */
-import { isKnown, ownUnitOf, SHOWN_UNITS, unitOf } from '../../length';
+import { isKnown, ownUnitOf, SHOWN_UNITS } from '../../length';
 import type { Session } from '../../session/session';
 import { measure } from '../../state/measures';
 import { AUTOMATIC, type Up } from '../../wasm/contract';
@@ -22,7 +22,7 @@ export function question({ scene, shown }: Session): HTMLElement {
     if (!shown.value) return;
     const { opened, places } = shown.value;
     const { state } = scene;
-    const size = measure(places.diameter, { ...unitOf(state, opened), assumed: false });
+    const size = measure(places.diameter, { ...ownUnitOf(state, opened), assumed: false });
     say(length, isKnown(ownUnitOf(state, opened)) ? t`${size} across?` : t('In which unit?'));
     units.forEach((button, index) =>
       button.setAttribute('aria-pressed', String(ownUnitOf(state, opened).symbol === SHOWN_UNITS[index])),

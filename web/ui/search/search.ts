@@ -26,8 +26,13 @@ const OTHER_WORDS: Readonly<Record<string, Words>> = {
 /** What a panel's controls are called and are reached by. */
 const CONTROLS = '.field, button:not([role=tab]):not(.card), summary';
 
-/** Opens the search. `panel`: null where there is none. */
-export async function openSearch(commands: readonly Command[], opener: Opener, panel: Panel | null): Promise<void> {
+/** Opens the search. `panel`: null where there is none; `ahead` gives the keys that were typed until now. */
+export async function openSearch(
+  commands: readonly Command[],
+  opener: Opener,
+  panel: Panel | null,
+  ahead: () => readonly string[],
+): Promise<void> {
   await panel?.load();
   if (document.querySelector('dialog.search[open]')) return;
   const items = [...commandItems(commands), ...presetItems(opener), ...(panel ? settingItems(panel) : [])];
@@ -84,12 +89,16 @@ export async function openSearch(commands: readonly Command[], opener: Opener, p
     none,
     list,
   );
+  /** Whether a key is none that the field takes by itself. */
+  const press = (key: string): boolean => {
+    if (key === 'ArrowDown') mark(at + 1);
+    else if (key === 'ArrowUp') mark(at - 1);
+    else if (key === 'Enter') choose(at);
+    else return false;
+    return true;
+  };
   field.addEventListener('keydown', (event) => {
-    if (event.key === 'ArrowDown') mark(at + 1);
-    else if (event.key === 'ArrowUp') mark(at - 1);
-    else if (event.key === 'Enter') choose(at);
-    else return;
-    event.preventDefault();
+    if (press(event.key)) event.preventDefault();
   });
   dialog.addEventListener('close', () => dialog.remove());
   dialog.addEventListener('click', ({ target }) => {
@@ -100,6 +109,14 @@ export async function openSearch(commands: readonly Command[], opener: Opener, p
   document.body.append(dialog);
   dialog.showModal();
   field.focus();
+  for (const key of ahead()) {
+    if (!dialog.open) return;
+    if (press(key)) continue;
+    if (key === 'Escape') return dialog.close();
+    if (key === 'Backspace') field.value = field.value.slice(0, -1);
+    else if (key.length === 1) field.value += key;
+    show();
+  }
 }
 
 function commandItems(commands: readonly Command[]): Item[] {

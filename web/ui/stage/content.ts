@@ -65,6 +65,8 @@ export interface Content {
 /** The longest scale bar. */
 const LONGEST = { wide: 96, compact: 56 } as const;
 const MOST_TICKS = { wide: 5, compact: 2 } as const;
+/** Lines are this far apart in the bar, or left out; CSS pixels. */
+const LEAST_APART = 3;
 /** Between the stripes where the file's own materials are seen. */
 const OF_FILE: Vector = [205, 204, 201];
 
@@ -133,8 +135,10 @@ function apartWords(pattern: Pattern, length: Words): Words {
 function coloursOf(view: View, style: Style, ofFile: boolean): Bar['colours'] {
   const { most, period, offset } = view.painted;
   const periods = period > 0 ? most / period : 0;
-  const isStriped = periods > 0 && style.maps.includes('colour');
+  const hasStripes = periods > 0 && style.maps.includes('colour');
   return (pixels, scale) => {
+    // Lines that would run into each other would hide the colors.
+    const isStriped = hasStripes && (style.pattern !== 'lines' || pixels > LEAST_APART * scale * periods);
     const ramps = rampBytes(style);
     const lineWidth = style.width * WIDEST_LINE * scale;
     const at = (row: number, share: number): Vector => {
