@@ -54,10 +54,10 @@ function formatOf<F>(make: (language: string) => F): () => F {
   };
 }
 
-/** Writes numbers as the language does. */
+/** Writes numbers as the language does, with a minus sign. */
 export function numbers(options: Intl.NumberFormatOptions): (value: Plain) => Phrase {
   const format = formatOf((language) => new Intl.NumberFormat(language, options));
-  return (value) => new Phrase(() => format().format(value));
+  return (value) => new Phrase(() => format().format(value).replace('-', '−'));
 }
 
 /** A whole number, with its thousands apart. */
