@@ -54,6 +54,11 @@ test('where it costs the same everywhere, what is measured is a cost, and exact'
   expect(await heatwalk.refining()).toBe('exact');
   await page.mouse.move(...(await heatwalk.pixelOf(at(12, 12))));
   await expect(page.locator('.readout')).toHaveText(/^costs 1\.5 m \(assumed\) · vertex \d+$/);
+  // Where slopes cost what they do to a hiker, the time stands beside it.
+  await page.locator('#section-ground').getByText('Slope', { exact: true }).click();
+  await heatwalk.settled();
+  await page.mouse.move(...(await heatwalk.pixelOf(at(12, 14))));
+  await expect(page.locator('.readout')).toHaveText(/^costs [\d.]+ m \(assumed\), \d+ min · vertex \d+$/);
   await page.locator('.stage').press('l');
   const legend = page.getByRole('region', { name: 'Legend' }).getByRole('img');
   await expect(legend).toHaveAttribute('aria-label', /least cost/i);

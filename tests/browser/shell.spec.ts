@@ -29,6 +29,10 @@ test('one workspace is open, by mouse and by arrows, and a link opens where its 
   await page.evaluate(() => (location.hash = '#v=1&m=bunny&open=kitchen'));
   await expect(page.getByText('open=kitchen is invalid')).toBeVisible();
   await expect(tab('Scene')).toHaveAttribute('aria-selected', 'true');
+  // A comparison of no mesh is none.
+  await heatwalk.open('#vs=t:1000,at:0.5');
+  await expect(page.getByText("The link's vs=t:1000,at:0.5 is left out")).toBeVisible();
+  await expect(tab('Scene')).toHaveAttribute('aria-selected', 'true');
 });
 
 test('what a link says that cannot be is told in one notice, and nothing else is lost', async ({ heatwalk, page }) => {
@@ -41,6 +45,9 @@ test('what a link says that cannot be is told in one notice, and nothing else is
   ]);
   const scene = await heatwalk.scene();
   expect(scene).toMatchObject({ sources: [{ vertex: 7 }], shownUnit: null, parts: [], style: { name: 'gold' } });
+  // What is for tetrahedra alone.
+  await heatwalk.open('#v=1&m=icosphere&cut=plane');
+  await expect(notices).toHaveText(["The link's cut=plane is invalid; the default is used."]);
   // With a unit it can be.
   await heatwalk.open('#v=1&m=icosphere&unit=m&shown=km');
   expect((await heatwalk.mesh()).unit).toBe('km');

@@ -40,5 +40,6 @@ export class Address {
 function workspaceOf(fragment: string): Workspace {
   const keys = new URLSearchParams(fragment.slice(1));
   const open = keys.get('open');
-  return isWorkspace(open) ? open : keys.has('vs') ? 'solve' : FIRST_WORKSPACE;
+  const compares = keys.has('vs') && (keys.has('m') || keys.has('model'));
+  return isWorkspace(open) ? open : compares ? 'solve' : FIRST_WORKSPACE;
 }

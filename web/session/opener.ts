@@ -334,7 +334,7 @@ export class Opener {
       const shown = await this.#session.open(request);
       const { state } = this.#session.scene;
       const wanted = withoutOwn(request.state, startOf(request.state.mesh));
-      const refused = refusedBy(wanted, state);
+      const refused = refusedBy(wanted, state, shown.opened.interior !== null);
       if (refused.length > 0) {
         const before = request.state === this.#refused.state ? this.#refused.values : [];
         this.#notifier.refused([...before, ...refused]);

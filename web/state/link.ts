@@ -285,18 +285,21 @@ export function withoutOwn(state: SceneState, start: SceneState | null): SceneSt
   };
 }
 
-/** What of a link the mesh that was opened does not have, as `key=value`: places, parts, a unit to be converted to. */
-export function refusedBy(wanted: SceneState, opened: SceneState): string[] {
-  const isLost: Partial<Record<keyof SceneState, boolean>> = {
-    parts: opened.parts.length < wanted.parts.length,
-    hidden: opened.hidden.length < wanted.hidden.length,
-    walker: Boolean(wanted.walker) && opened.walker !== wanted.walker,
-    tapes: opened.tapes.length < wanted.tapes.length,
-    shownUnit: opened.shownUnit !== wanted.shownUnit,
+/**
+ * What of a link the mesh that was opened does not have, as `key=value`: places, parts, a unit to be converted to, what is for
+ * tetrahedra alone or for surfaces alone.
+ */
+export function refusedBy(wanted: SceneState, opened: SceneState, isInterior: boolean): string[] {
+  const isLost: Readonly<Record<string, boolean>> = {
+    p: opened.parts.length < wanted.parts.length,
+    hide: opened.hidden.length < wanted.hidden.length,
+    w: Boolean(wanted.walker) && opened.walker !== wanted.walker,
+    tape: opened.tapes.length < wanted.tapes.length,
+    shown: opened.shownUnit !== wanted.shownUnit,
+    cut: !isInterior && wanted.inside.cut !== 'none',
+    girth: isInterior && wanted.girth !== null,
   };
-  return KEYS.filter(({ field }) => isLost[field as keyof SceneState]).map((key) =>
-    shortened(`${key.key}=${key.encode(wanted)}`),
-  );
+  return KEYS.filter(({ key }) => isLost[key]).map((key) => shortened(`${key.key}=${key.encode(wanted)}`));
 }
 
 /** What cannot be used of a link, in a sentence. */

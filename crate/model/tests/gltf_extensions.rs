@@ -315,6 +315,10 @@ fn version_1_is_refused_by_name() {
     let glb = b"glTF\x01\0\0\0\x14\0\0\0\0\0\0\0\0\0\0\0";
     let error = reading::read("mesh.glb", glb).unwrap_err().to_string();
     assert_eq!(error, "GLB: version 1 is not supported; export the file as glTF 2.0");
+    // A byte that is missing moves all that follow.
+    let moved = b"glTF\0\0\0\x24\x01\0\0\0\0\0\0\0\0\0\0\0";
+    let error = reading::read("mesh.glb", moved).unwrap_err().to_string();
+    assert!(error.contains("the GLB file is damaged: 603979776 is no version"), "{error}");
 }
 
 #[test]

@@ -98,6 +98,7 @@ export const PAGE: Texts = {
   'vertex {0}': 'sommet {0}',
   'unreachable · {0}': 'inaccessible · {0}',
   'costs {0} · {1}': 'coûte {0} · {1}',
+  'costs {0}, {1} · {2}': 'coûte {0}, {1} · {2}',
   '{0} · {1} of the diameter · {2}': '{0} · {1} du diamètre · {2}',
   Source: 'Source',
   'Click sets the source': 'Un clic place la source',

@@ -5,7 +5,7 @@ import { isSameUnit, type ModelLength, ofModel, unitOf } from '../../length';
 import { h, say } from '../dom';
 import { hasCosts } from '../../state/ground';
 import { measure } from '../../state/measures';
-import { percent } from '../words';
+import { hikingWords, percent } from '../words';
 import { t, type Words } from '../../texts';
 
 /** Shares of the diameter below are rounding: places come from the graphics card in single precision. */
@@ -108,6 +108,10 @@ function readoutText({ scene, shown }: Session, point: MeshPoint, best: ModelLen
   const { exactBelow } = answer.field;
   const isBetween = places.isBetween(point) && !(best !== null && exactBelow === Infinity);
   const about = isBetween || distance > exactBelow ? t`≈ ${length}` : length;
-  if (hasCosts(answer.question.ground)) return t`costs ${about} · ${vertex}`;
+  const { ground } = answer.question;
+  if (hasCosts(ground)) {
+    const time = ground.slope ? hikingWords(shownDistance, unitOf(scene.state, opened)) : null;
+    return time ? t`costs ${about}, ${time} · ${vertex}` : t`costs ${about} · ${vertex}`;
+  }
   return t`${about} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
 }

@@ -14,6 +14,8 @@ use crate::io::base64::BASE64;
 use crate::io::budget::Budget;
 use crate::io::reader::Resources;
 
+/// A larger number is no version: there is none above 2, and each takes years.
+const LAST_VERSION: u32 = 99;
 const JSON_CHUNK: &[u8] = b"JSON";
 const BINARY_CHUNK: &[u8] = b"BIN\0";
 
@@ -29,6 +31,9 @@ pub fn open(bytes: &[u8]) -> Result<Container<'_>> {
     }
     let cut_short = |byte: usize| GLTF.at(format!("byte {byte}"), "the GLB file is cut short; copy it again");
     let version = word(bytes, 4).ok_or_else(|| cut_short(bytes.len()))?;
+    if version > LAST_VERSION {
+        return Err(GLTF.at("byte 4", format!("the GLB file is damaged: {version} is no version; export it again")));
+    }
     if version != 2 {
         return Err(Error::Unsupported {
             format: "GLB",
