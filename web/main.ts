@@ -202,7 +202,8 @@ session.turntable.watch((turns, turned) => {
 });
 
 followTheme(view);
-stage.addEventListener('pointerdown', () => messages.goOn());
+for (const place of [stage, panel?.element])
+  place?.addEventListener('pointerdown', () => messages.goOn(place === stage));
 view.trouble.watch((trouble) => messages.blind(trouble, () => void view.start()));
 view.failure.watch((failure) => {
   if (failure) messages.fail(messageOf(failure), detailsOf(failure));
@@ -226,17 +227,21 @@ async function begin(): Promise<void> {
 }
 const host = { session, messages, commands, link: () => address.link() };
 let script: Script | null = null;
+const answered = async () => {
+  await measuring.settled();
+  await comparing.settled();
+};
 expose(
   session,
   begin().finally(first.resolve),
   async () => {
     await overlays.settled();
     await crowd.settled();
-    await measuring.settled();
-    await comparing.settled();
+    await answered();
     await over.load();
     await over.settled();
   },
+  answered,
   measuring,
   () => import('./ui/control/script').then(({ scriptOf }) => (script ??= scriptOf(host, window.heatwalk))),
 );

@@ -173,6 +173,7 @@ test('a file is pasted; text that is nothing is told as such, and numbers far fr
     ['some\nwords', 'What was pasted, “some words”, is no mesh, no address of one, no link and no list of sources.'],
     [`${HOST}/about`, 'This address of models.example names no mesh'],
     ['ball.off', 'What was pasted, “ball.off”, is no mesh'],
+    [new URL('#m=unknown', page.url()).href, 'The link that was pasted names no mesh that can be opened.'],
     ['12 apples\n3 pears', 'What was pasted, “12 apples 3 pears”, is no mesh'],
     ['2024 1300 75', /The numbers pasted \(1 place\) lie [\d.,]+ \S* ?away from the model\./],
     ['2024 1300 75\n2025 1420 80', /The numbers pasted \(2 places\) lie up to [\d.,]+ \S* ?away from the model\./],

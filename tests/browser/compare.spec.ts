@@ -147,6 +147,14 @@ test('a link opens both sides', { tag: '@page' }, async ({ heatwalk, page }) => 
   const line = page.getByRole('slider', { name: 'Divider between the two settings' });
   await expect(line).toHaveAttribute('aria-valuetext', '30 % m = 1');
   await expect(page.locator('#section-compare').getByRole('button', { name: 'Stop comparing' })).toBeVisible();
+  // On a low window the tabs lie over no label.
+  await page.setViewportSize({ width: 844, height: 390 });
+  await page.getByRole('button', { name: 'Collapse the panel' }).click();
+  const [label, tabs] = [
+    await page.locator('.compare-right').boundingBox(),
+    await page.locator('.panel').boundingBox(),
+  ];
+  expect(label?.y).toBeGreaterThan((tabs?.y ?? Infinity) + (tabs?.height ?? 0));
   await heatwalk.open('#v=1&m=bunny&vs=nonsense');
   await expect(page.getByText('vs=nonsense is invalid')).toBeVisible();
   await expect(line).toBeHidden();

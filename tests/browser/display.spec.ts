@@ -54,6 +54,13 @@ test(
     await expect(page.getByRole('group', { name: 'Arrows' }).getByRole('radio', { checked: true })).toHaveCount(1);
     await page.getByLabel('Inactive parts (scenery)').uncheck();
     expect((await heatwalk.scene()).overlays).toEqual(['edges', 'distance']);
+    // Of a model of one part it changes nothing, and comes back all the same.
+    await heatwalk.open('#v=1&m=icosphere&open=look');
+    await expect(page.getByText('All parts are active.')).toBeVisible();
+    await page.getByLabel('Inactive parts (scenery)').uncheck();
+    expect((await heatwalk.scene()).overlays).toEqual([]);
+    await page.getByLabel('Inactive parts (scenery)').check();
+    expect((await heatwalk.scene()).overlays).toEqual(['scenery']);
     await expect(page.locator('.message.error')).toHaveCount(0);
   },
 );

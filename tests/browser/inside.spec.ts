@@ -47,6 +47,13 @@ test('a file of tetrahedra opens: distance leads through them, exact where lines
   await expect(page.getByRole('switch', { name: 'Brush' })).toBeHidden();
   await openSection(page, 'inside');
   await expect(page.getByRole('button', { name: 'Fill the inside' })).toBeHidden();
+  // A girth is of surfaces.
+  const girth = await openSection(page, 'girth');
+  await expect(girth.getByRole('switch')).toBeDisabled();
+  await expect(girth).toContainText('This is for surfaces, not for the inside of tetrahedra.');
+  await openCube(heatwalk, 'method=auto&cut=plane&girth=0,90,0');
+  await expect(page.getByText("The link's girth=0,90,0 is invalid")).toBeVisible();
+  expect((await heatwalk.scene()).girth).toBeNull();
 });
 
 test('what was repaired is told of files, not of built-in shapes', async ({ heatwalk, page }) => {

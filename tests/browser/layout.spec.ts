@@ -104,6 +104,34 @@ test.describe('on a phone', () => {
     expect(2 * middle).toBeCloseTo((heading?.y ?? 0) + (heading?.height ?? 0) + (tools?.y ?? 0), 0);
   });
 
+  test('the sheet is drawn up and down by its handle, and what was opened goes with the first touch', async ({
+    heatwalk,
+    page,
+  }) => {
+    await heatwalk.open();
+    await expect(page.locator('.message.summary')).toBeVisible();
+    const client = await page.context().newCDPSession(page);
+    const draw = async (to: number) => {
+      const handle = await page.locator('.panel-handle').boundingBox();
+      const [x, y] = [(handle?.x ?? 0) + (handle?.width ?? 0) / 2, (handle?.y ?? 0) + (handle?.height ?? 0) / 2];
+      await client.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x, y }] });
+      for (const share of [0.3, 0.6, 1]) {
+        const touchPoints = [{ x, y: y + share * to }];
+        await client.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints });
+      }
+      await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    };
+    await draw(-300);
+    await expect(page.locator('.panel')).toHaveAttribute('data-open', 'true');
+    await expect(page.locator('.message.summary')).toHaveCount(0);
+    await draw(-40);
+    await expect(page.locator('.panel')).toHaveAttribute('data-open', 'true');
+    await draw(200);
+    await expect(page.locator('.panel')).toHaveAttribute('data-open', 'false');
+    await page.locator('.panel-handle').tap();
+    await expect(page.locator('.panel')).toHaveAttribute('data-open', 'true');
+  });
+
   test('a tap sets the source, with the Add tool it adds one, a long press places the walker', async ({
     heatwalk,
     page,
@@ -136,6 +164,26 @@ test.describe('on a phone', () => {
     await expect.poll(distance).toBeLessThan(0.7 * before);
   });
 });
+
+for (const locale of ['en-US', 'fr-FR']) {
+  test.describe(`in ${locale}`, () => {
+    test.use({ locale });
+
+    test('the tools have their place beside the panel', async ({ heatwalk, page }) => {
+      await heatwalk.open('#v=1&m=hemisphere');
+      const [tools, panel] = [page.locator('.toolbar'), page.locator('.panel')];
+      for (const width of [1800, 1290, 1280, 1270, 1200, 1130, 1120, 1110, 1000, 800, 720]) {
+        await page.setViewportSize({ width, height: 800 });
+        for (const tab of ['scene', 'ground', 'inside']) {
+          await page.locator(`#tab-${tab}`).click();
+          const [bar, beside] = [await tools.boundingBox(), await panel.boundingBox()];
+          expect(bar?.x, `${tab} at ${width}`).toBeGreaterThanOrEqual(0);
+          expect((bar?.x ?? 0) + (bar?.width ?? 0), `${tab} at ${width}`).toBeLessThanOrEqual(beside?.x ?? 0);
+        }
+      }
+    });
+  });
+}
 
 test('what was opened is said below the model, over no tool, and beside the hint or before it', async ({
   heatwalk,

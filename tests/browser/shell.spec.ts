@@ -48,6 +48,7 @@ test('what a link says that cannot be is told in one notice, and nothing else is
   // What is for tetrahedra alone.
   await heatwalk.open('#v=1&m=icosphere&cut=plane');
   await expect(notices).toHaveText(["The link's cut=plane is invalid; the default is used."]);
+  await expect(page).not.toHaveURL(/cut=/);
   // With a unit it can be.
   await heatwalk.open('#v=1&m=icosphere&unit=m&shown=km');
   expect((await heatwalk.mesh()).unit).toBe('km');

@@ -365,16 +365,16 @@ test('escapes that are none of text are named as they stand, and nothing else is
 test('what the mesh of a link does not have is named', () => {
   const tapes = [{ points: [{ vertex: 1 }, { vertex: 2 }], closed: false }];
   const wanted: SceneState = { ...START, parts: [0, 7], hidden: [9], shownUnit: 'km', tapes, sources: [{ vertex: 5 }] };
-  expect(refusedBy(wanted, wanted, false)).toEqual([]);
+  expect(refusedBy(wanted, wanted)).toEqual([]);
   const opened = { ...wanted, parts: [0], hidden: [], shownUnit: null, tapes: [], walker: { vertex: 4 } };
-  expect(refusedBy(wanted, opened, false)).toEqual(['p=0,7', 'w=99', 'shown=km', 'tape=1,2', 'hide=9']);
+  expect(refusedBy(wanted, opened)).toEqual(['p=0,7', 'w=99', 'shown=km', 'tape=1,2', 'hide=9']);
   // What is for tetrahedra alone, and for surfaces alone.
   const cut: SceneState = { ...wanted, inside: { ...wanted.inside, cut: 'plane' } };
-  expect([refusedBy(cut, cut, false), refusedBy(cut, cut, true)]).toEqual([['cut=plane'], []]);
+  expect([refusedBy(cut, wanted), refusedBy(cut, cut)]).toEqual([['cut=plane'], []]);
   const girth: SceneState = { ...wanted, girth: { turn: 0, tilt: 90, place: 0 } };
-  expect([refusedBy(girth, girth, false), refusedBy(girth, girth, true)]).toEqual([[], ['girth=0,90,0']]);
+  expect([refusedBy(girth, wanted), refusedBy(girth, girth)]).toEqual([['girth=0,90,0'], []]);
   // Where a link names no walker, the page may choose one.
-  expect(refusedBy({ ...wanted, walker: null }, wanted, false)).toEqual([]);
+  expect(refusedBy({ ...wanted, walker: null }, wanted)).toEqual([]);
 });
 
 test('places of a preset are left where it has other triangles, and what a link says itself stays', () => {

@@ -145,8 +145,8 @@ const inFrench = retelling(REPORTS);
 test('refusals of files are French as a whole, whatever is put into them', () => {
   const refusals = [
     [
-      'OBJ, line 1: a vertex needs three numbers, but it is missing',
-      'OBJ, ligne 1 : un sommet demande trois nombres, mais rien ne suit',
+      'OBJ, line 1: a vertex needs three numbers, but there are 2; the file may be cut short: copy or export it again',
+      'OBJ, ligne 1 : un sommet demande trois nombres, mais il y en a 2 ; le fichier est peut-être tronqué : copiez-le ou exportez-le de nouveau',
     ],
     [
       'OBJ, line 3: a vertex needs three numbers, but "1,5" has a decimal comma; save the file with decimal points',

@@ -2,8 +2,8 @@
 import { encodeLink } from '../state/link';
 import type { Scene } from '../state/history';
 import { Signal } from '../state/signal';
+import { startOf } from '../state/start';
 import { FIRST_WORKSPACE, isWorkspace, type Workspace } from '../state/workspace';
-import { startOf } from './opener';
 
 export class Address {
   readonly #scene: Scene;

@@ -14,8 +14,8 @@ import { HALVED, isWhole, WHOLE } from '../state/inside';
 import { type Decoded, decodeLink, isOpenedAlike, refusedBy, undoableOf, withoutOwn } from '../state/link';
 import { LANDING_VIEW, findPreset, FIRST_PRESET, titleOf } from '../state/presets';
 import { emptyScene, type MeshReference, type SceneState, TRIANGLES } from '../state/scene';
+import { NEW_FILE_DEFAULTS, startOf } from '../state/start';
 import { type SourceSet, UNCHOSEN } from '../state/sources';
-import { MODEL_STYLE } from '../state/styles';
 import { AUTOMATIC, DEFAULT_WINDOWS, MESH_TOO_LARGE, TOO_MANY_WINDOWS, TRIANGLE_BYTES } from '../wasm/contract';
 import type { LoadingListener } from './loading';
 import type { Action, Notifier } from './notifier';
@@ -27,21 +27,6 @@ import { count, sentences, t, type Words } from '../texts';
 export interface InputFiles {
   title: Words;
   files: Promise<readonly InputFile[]>;
-}
-
-/** Defaults of a mesh without a link. Older links of files leave these keys out, and mean the former defaults. */
-const NEW_FILE_DEFAULTS = { method: 'auto', up: AUTOMATIC } as const;
-
-/** The state in which a mesh starts out; null for a preset that does not exist. */
-export function startOf(mesh: MeshReference): SceneState | null {
-  switch (mesh.kind) {
-    case 'preset':
-      return findPreset(mesh.id)?.start ?? null;
-    case 'file':
-      return emptyScene(mesh);
-    case 'address':
-      return startOfFile(mesh);
-  }
 }
 
 /** What came together, and how the scene refers to a mesh of it. */
@@ -297,7 +282,8 @@ export class Opener {
     const { state } = this.#session.scene;
     const inside = wanted === null ? WHOLE : isWhole(state.inside) ? HALVED : state.inside;
     const method = state.fill === null && wanted !== null ? 'auto' : state.method;
-    await this.#carried({ ...state, ...NO_PLACES, fill: wanted, inside, method, ground: LEVEL }, ANYWHERE);
+    const girth = wanted === null ? state.girth : null;
+    await this.#carried({ ...state, ...NO_PLACES, fill: wanted, inside, girth, method, ground: LEVEL }, ANYWHERE);
     if (isPainted(state.ground) && this.#session.scene.state.ground === LEVEL) {
       this.#notifier.notice(
         t('Costs and walls of the triangles before are not those of others: Back brings them back.'),
@@ -334,7 +320,7 @@ export class Opener {
       const shown = await this.#session.open(request);
       const { state } = this.#session.scene;
       const wanted = withoutOwn(request.state, startOf(request.state.mesh));
-      const refused = refusedBy(wanted, state, shown.opened.interior !== null);
+      const refused = refusedBy(wanted, state);
       if (refused.length > 0) {
         const before = request.state === this.#refused.state ? this.#refused.values : [];
         this.#notifier.refused([...before, ...refused]);
@@ -421,9 +407,4 @@ function fileReference(mesh: string): MeshReference {
 
 function fromFiles(collection: Collection): Origin {
   return { ...collection, reference: fileReference };
-}
-
-/** The state in which a mesh that is opened from a file starts out where some of it is chosen beforehand. */
-export function startOfFile(mesh: MeshReference): SceneState {
-  return { ...emptyScene(mesh), ...NEW_FILE_DEFAULTS, style: MODEL_STYLE };
 }

@@ -130,11 +130,19 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   };
 }
 
-/** Of parts and units, what a mesh has. What is simplified, or filled, is one part in the place of those of the file. */
-function usable({ parts, hidden, ...units }: SceneState, opened: OpenedMesh): Partial<SceneState> {
+/**
+ * Of parts, units and planes, what is for a mesh: a girth is of a surface, a cut of tetrahedra. What is simplified, or filled, is one
+ * part in the place of those of the file.
+ */
+function usable({ parts, hidden, girth, inside, ...units }: SceneState, opened: OpenedMesh): Partial<SceneState> {
   const isWhole = opened.simplified !== null || opened.interior !== null;
   const isThere = (part: number) => isWhole || part < opened.parts.length;
-  return { parts: parts.filter(isThere), hidden: hidden.filter(isThere), ...convertible(units, opened) };
+  return {
+    parts: parts.filter(isThere),
+    hidden: hidden.filter(isThere),
+    ...(opened.interior ? { girth: null, inside } : { girth, inside: { ...inside, cut: 'none' } }),
+    ...convertible(units, opened),
+  };
 }
 
 /** What of a state is on a mesh. */

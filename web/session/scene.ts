@@ -3,7 +3,7 @@ import { Failure } from '../error';
 import { packScene } from '../files/scene';
 import { encodeLink } from '../state/link';
 import { encodeAllSets, fitLink } from '../state/sets';
-import { startOf } from './opener';
+import { startOf } from '../state/start';
 import type { Session } from './session';
 import { t } from '../texts';
 

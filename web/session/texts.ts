@@ -3,7 +3,9 @@ import { addressIn, hostOf } from '../files/address';
 import { fileName } from '../files/paths';
 import { detailsOf, Failure, sentenceOf } from '../error';
 import type { InputFile } from '../protocol';
+import { decodeLink } from '../state/link';
 import { isList, isNamedList, isOneLine } from '../state/list';
+import { startOf } from '../state/start';
 import { paintRows } from './costs';
 import type { Notifier } from './notifier';
 import type { Session } from './session';
@@ -31,8 +33,11 @@ export async function takeTable(session: Session, notifier: Notifier, tables: re
 /** Follows a link of this page, adds a list of sources to the mesh on screen, and tells what is neither. */
 export async function takePasted(session: Session, notifier: Notifier, text: string): Promise<void> {
   const fragment = sceneIn(text);
-  if (fragment !== null) location.hash = fragment;
-  else if (isList(text)) await reported(notifier, () => offerList(session, notifier, text));
+  if (fragment !== null) {
+    const { state } = decodeLink(fragment, startOf);
+    if (state) location.hash = fragment;
+    else notifier.remark(t('The link that was pasted names no mesh that can be opened. Nothing has changed.'));
+  } else if (isList(text)) await reported(notifier, () => offerList(session, notifier, text));
   else {
     const address = addressIn(text);
     const short = text.trim().replaceAll(/\s+/g, ' ').slice(0, TOLD_LETTERS);

@@ -286,18 +286,17 @@ export function withoutOwn(state: SceneState, start: SceneState | null): SceneSt
 }
 
 /**
- * What of a link the mesh that was opened does not have, as `key=value`: places, parts, a unit to be converted to, what is for
- * tetrahedra alone or for surfaces alone.
+ * What of a link the mesh that was opened does not have, as `key=value`: places, parts, a unit to be converted to, a cut or a girth.
  */
-export function refusedBy(wanted: SceneState, opened: SceneState, isInterior: boolean): string[] {
+export function refusedBy(wanted: SceneState, opened: SceneState): string[] {
   const isLost: Readonly<Record<string, boolean>> = {
     p: opened.parts.length < wanted.parts.length,
     hide: opened.hidden.length < wanted.hidden.length,
     w: Boolean(wanted.walker) && opened.walker !== wanted.walker,
     tape: opened.tapes.length < wanted.tapes.length,
     shown: opened.shownUnit !== wanted.shownUnit,
-    cut: !isInterior && wanted.inside.cut !== 'none',
-    girth: isInterior && wanted.girth !== null,
+    cut: opened.inside.cut !== wanted.inside.cut,
+    girth: wanted.girth !== null && opened.girth === null,
   };
   return KEYS.filter(({ key }) => isLost[key]).map((key) => shortened(`${key.key}=${key.encode(wanted)}`));
 }

@@ -127,12 +127,16 @@ declare global {
   }
 }
 
-/** `decorated` resolves when what is shown beside the field is there. `tapes`: what they tell. `load`: what changes the page. */
+/**
+ * `decorated` resolves when what is shown beside the field is there, `answered` when what is asked for by it is: tapes and the other
+ * side of a comparison. `tapes`: what they tell. `load`: what changes the page.
+ */
 export function expose(
   session: Session,
   ready: Promise<void>,
   decorated: () => Promise<void>,
-  tapes: { readonly figures: readonly TapeFigures[]; settled(): Promise<void> },
+  answered: () => Promise<void>,
+  tapes: { readonly figures: readonly TapeFigures[] },
   load: () => Promise<Script>,
 ): void {
   const asked = SCRIPT.map((name) => [
@@ -144,7 +148,7 @@ export function expose(
     ready,
     async settled() {
       await ready;
-      // What is measured along tapes is asked for by the answer, and meanwhile there may be another question.
+      // What is asked for by the answer takes its time, and meanwhile there may be another question.
       do {
         await until(
           () => session.settled,
@@ -153,7 +157,7 @@ export function expose(
           session.pose,
           session.animator.moment,
         );
-        await tapes.settled();
+        await answered();
       } while (!session.settled);
     },
     get backend() {

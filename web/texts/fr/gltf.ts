@@ -36,6 +36,10 @@ export const GLTF: Texts = {
   'boolean `{0}`': 'booléen `{0}`',
   'invalid value: {0}, expected {1}': 'valeur invalide : {0} au lieu de {1}',
   // The container.
+  'the file begins neither as GLB nor as JSON; export it again':
+    'le début du fichier n’est ni GLB ni JSON ; exportez-le de nouveau',
+  'the GLB file is damaged: {0} is no version; export it again':
+    'le fichier GLB est endommagé : {0} n’est pas une version ; exportez-le de nouveau',
   'the GLB file is cut short; copy it again': 'le fichier GLB est tronqué ; copiez-le de nouveau',
   'version {0}': 'ce format en version {0}',
   'export the file as glTF 2.0': 'exportez le fichier en glTF 2.0',

@@ -6,6 +6,8 @@ export const PAGE: Texts = {
     'Cette adresse de {0} ne nomme aucun maillage ; s’il y en a un, ouvrez-la par le menu à côté du nom.',
   'What was pasted, “{0}”, is no mesh, no address of one, no link and no list of sources. Nothing has changed.':
     'Le texte collé, « {0} », n’est ni un maillage, ni l’adresse d’un maillage, ni un lien, ni une liste de sources. Rien n’a changé.',
+  'The link that was pasted names no mesh that can be opened. Nothing has changed.':
+    'Le lien collé ne nomme aucun maillage que l’on puisse ouvrir. Rien n’a changé.',
   '{0} are tables, of which one is taken at a time. Nothing has changed.':
     '{0} sont des tableaux, et un seul est pris à la fois. Rien n’a changé.',
   'What was pasted': 'Le texte collé',

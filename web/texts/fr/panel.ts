@@ -230,8 +230,8 @@ export const PANEL: Texts = {
   'fill an area': 'remplir une zone',
   'wall along edges': 'mur le long d’arêtes',
   'open and close gates': 'basculer des portes',
-  'Drag on the surface to paint. Drag beside it, or with ctrl, to orbit.':
-    'Glissez sur la surface pour peindre. Glissez à côté, ou avec ctrl, pour tourner autour.',
+  'Drag on the surface to paint. Drag beside it, with ctrl, or with two fingers to orbit.':
+    'Glissez sur la surface pour peindre. Glissez à côté, avec ctrl ou à deux doigts pour tourner autour.',
   'Choose an area: all of it that costs the same is painted.':
     'Choisissez une zone : tout ce qui y coûte autant est peint.',
   'Mark one vertex after the other. The last one again, or Esc, ends the wall.':

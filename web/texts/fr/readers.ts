@@ -74,6 +74,8 @@ export const READERS: Texts = {
   // Numbers and vertices in text.
   'a vertex needs three numbers, but {0}': 'un sommet demande trois nombres, mais {0}',
   'it is missing': 'rien ne suit',
+  'there are {0}; the file may be cut short: copy or export it again':
+    'il y en a {0} ; le fichier est peut-être tronqué : copiez-le ou exportez-le de nouveau',
   '"{0}" is found': 'on trouve « {0} »',
   '"{0}" has a decimal comma; save the file with decimal points':
     '« {0} » a une virgule décimale ; enregistrez le fichier avec des points décimaux',

@@ -31,6 +31,7 @@ export function measuring({ label, steps, measure, ended }: Task): Measuring {
     running = new AbortController();
     const { signal } = running;
     progress.hidden = false;
+    say(said, '');
     say(button, t('Cancel'));
     try {
       say(said, await measure(signal));

@@ -162,11 +162,11 @@ export class GirthTool {
       h('button', { class: 'wide', title: t('Saves all curves of the cut'), onclick: saveFile }, t('Save girth')),
       said,
     );
-    const inside = h('p', { class: 'quiet' }, t('This is for surfaces, not for the inside of tetrahedra.'));
+    const inside = t('This is for surfaces, not for the inside of tetrahedra.');
     const show = () => {
       const { girth } = scene.state;
       const isInside = shown.value?.opened.interior !== null && shown.value !== null;
-      inside.hidden = !isInside;
+      isOn.bar(isInside ? inside : null);
       isOn.show(girth !== null);
       settings.hidden = girth === null || isInside;
       if (girth) for (const [name, control] of sliders) control.show(girth[name]);
@@ -176,7 +176,7 @@ export class GirthTool {
     });
     shown.watch(show);
     show();
-    return h('div', { class: 'stack' }, isOn.element, inside, settings);
+    return h('div', { class: 'stack' }, isOn.element, settings);
   }
 
   async #save(kind: GirthFile): Promise<void> {

@@ -16,6 +16,8 @@ import { t, type Words } from '../../texts';
 const SHOWN_MS = 8000;
 /** More would cover the model. */
 const MOST_NOTICES = 3;
+/** There the model or the panel has no room beside it. */
+const SMALL = matchMedia('(width < 720px) or (height < 480px)');
 /** Of what can be corrected, which the panel has too. */
 const ASKING_MS = 30_000;
 
@@ -136,9 +138,9 @@ export class Messages implements Notifier {
     this.#asked = null;
   }
 
-  /** Whoever goes on with the model has no answer to what was asked about it. */
-  goOn(): void {
-    if (this.#summary?.querySelector('.question')) this.#summary.remove();
+  /** Whoever goes on with the model has no answer to what was asked about it; on a small window what was opened is in the way. */
+  goOn(isOnModel: boolean): void {
+    if (SMALL.matches || (isOnModel && this.#summary?.querySelector('.question'))) this.#summary?.remove();
   }
 
   /** Escape closes the newest message. */

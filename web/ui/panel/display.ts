@@ -4,7 +4,7 @@ import type { Signal } from '../../state/signal';
 import { LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from '../../state/scene';
 import { AUTOMATIC, UP, type Up, VERTEX_FIELD, type VertexField } from '../../wasm/contract';
 import { available } from '../../session/overlays';
-import { attribute, h, labelled, radios, say, select, slider, toggle } from '../dom';
+import { attribute, h, labelled, radios, reason, say, select, slider, toggle } from '../dom';
 import { calmly } from './calm';
 import { KEYS, withKey } from '../keys';
 import { hasWalls } from '../../state/ground';
@@ -96,7 +96,10 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
     lights.show(scene.state.lights === 'file');
     lights.element.hidden = (session.shown.value?.opened.lights.length ?? 0) === 0;
     for (const { overlay, element, show: showToggle, bar } of overlays) {
-      bar(session.shown.value && whyNothing(overlay, session.shown.value));
+      const why = session.shown.value && whyNothing(overlay, session.shown.value);
+      // What is on at first can be switched on again.
+      if (overlay === 'scenery') reason(element, why);
+      else bar(why);
       element.hidden = method !== 'heat' && OF_HEAT.overlays.includes(overlay);
       showToggle(drawn.includes(overlay));
     }

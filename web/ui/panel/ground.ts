@@ -25,7 +25,7 @@ const TOOL_WORDS: Record<GroundTool, Words> = {
 };
 
 const TOOL_HINTS: Record<GroundTool, Words> = {
-  brush: t('Drag on the surface to paint. Drag beside it, or with ctrl, to orbit.'),
+  brush: t('Drag on the surface to paint. Drag beside it, with ctrl, or with two fingers to orbit.'),
   fill: t('Choose an area: all of it that costs the same is painted.'),
   line: t('Mark one vertex after the other. The last one again, or Esc, ends the wall.'),
   toggle: t('Choose a wall or a gate to open it, or to close it again.'),

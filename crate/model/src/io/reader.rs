@@ -30,10 +30,14 @@ impl Reporter {
     /// The next three words as a position.
     pub fn position<'a>(&self, mut next: impl FnMut() -> Option<&'a str>, line: usize) -> Result<DVec3> {
         let mut coordinates = [0.0; 3];
-        for coordinate in &mut coordinates {
+        for (count, coordinate) in coordinates.iter_mut().enumerate() {
             let word = next();
             *coordinate = word.and_then(text::number).ok_or_else(|| {
-                self.line(line, format!("a vertex needs three numbers, but {}", text::why_no_number(word)))
+                let found = match word {
+                    None => format!("there are {count}; the file may be cut short: copy or export it again"),
+                    _ => text::why_no_number(word),
+                };
+                self.line(line, format!("a vertex needs three numbers, but {found}"))
             })?;
         }
         Ok(coordinates.into())

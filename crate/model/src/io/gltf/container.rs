@@ -13,6 +13,7 @@ use crate::error::{Error, Result};
 use crate::io::base64::BASE64;
 use crate::io::budget::Budget;
 use crate::io::reader::Resources;
+use crate::io::text::without_mark;
 
 /// A larger number is no version: there is none above 2, and each takes years.
 const LAST_VERSION: u32 = 99;
@@ -25,14 +26,22 @@ pub struct Container<'a> {
     pub binary: Option<&'a [u8]>,
 }
 
+fn byte(at: usize) -> String {
+    format!("byte {at}")
+}
+
 pub fn open(bytes: &[u8]) -> Result<Container<'_>> {
     if !bytes.starts_with(GLB_MAGIC) {
+        if !without_mark(bytes).trim_ascii_start().starts_with(b"{") {
+            return Err(GLTF.at(byte(0), "the file begins neither as GLB nor as JSON; export it again"));
+        }
         return Ok(Container { json: bytes, binary: None });
     }
-    let cut_short = |byte: usize| GLTF.at(format!("byte {byte}"), "the GLB file is cut short; copy it again");
+    let cut_short = |at: usize| GLTF.at(byte(at), "the GLB file is cut short; copy it again");
     let version = word(bytes, 4).ok_or_else(|| cut_short(bytes.len()))?;
     if version > LAST_VERSION {
-        return Err(GLTF.at("byte 4", format!("the GLB file is damaged: {version} is no version; export it again")));
+        return Err(GLTF
+            .at(byte(GLB_MAGIC.len()), format!("the GLB file is damaged: {version} is no version; export it again")));
     }
     if version != 2 {
         return Err(Error::Unsupported {
