@@ -27,9 +27,7 @@ import { DrawInput } from './ui/input/draw';
 import type { Handles } from './ui/input/handles';
 import { PointerInput } from './ui/input/pointer';
 import { Keys } from './ui/input/keys';
-import { followLaunches } from './ui/input/launch';
 import { followPaste } from './ui/input/paste';
-import { announcer } from './ui/overlay/announcer';
 import { heading } from './ui/overlay/heading';
 import { followInsets } from './ui/overlay/insets';
 import { loadingBar } from './ui/overlay/loading';
@@ -154,7 +152,6 @@ const keys = new Keys({
 });
 
 followPaste(opener);
-followLaunches(openFiles);
 
 const head = heading(session, { open: menu, search, share: address.kiosk ? null : () => panel?.show('share'), help });
 const bar = toolbar(session, tool, over, address.kiosk ? null : workspace, pinned, () => cutOpen(session, opener));
@@ -167,7 +164,6 @@ page.append(
   measuring.labels,
   readout.element,
   keys.reticle,
-  announcer(session),
   dropTarget(openFiles, (dragged) => void opener.address(dragged)),
   dialogue.element,
   folders.element,
@@ -247,29 +243,24 @@ expose(
 );
 void first.promise.then(() => over.load());
 first.promise
-  .then(() => import('./ui/input/handles'))
-  .then(({ handlesOf }) => {
-    handles = handlesOf(session, draw);
-  })
-  .catch(fail);
-first.promise
   .then(async () => {
     const { state } = scene;
-    const { showHints } = await import('./ui/overlay/hints');
-    showHints(hint, session, tool, state);
+    const { afterFirstPicture } = await import('./later');
+    ({ handles } = afterFirstPicture({
+      session,
+      tool,
+      draw,
+      opener,
+      openFiles,
+      address,
+      known,
+      messages,
+      panel,
+      hint,
+      state,
+    }));
   })
   .catch(fail);
-first.promise
-  .then(() => import('./session/entries'))
-  .then(({ Entries }) => new Entries(scene, opener, address, known))
-  .catch(fail);
-// Without it the page is one that needs its network.
-void first.promise
-  .then(() => import('./session/version'))
-  .then(
-    ({ keepVersion }) => keepVersion(messages),
-    () => undefined,
-  );
 // Only in a frame is there anybody to answer.
 if (window.parent !== window) {
   void import('./ui/embedding/embedding').then(({ answerHost }) => answerHost(host, window.heatwalk));

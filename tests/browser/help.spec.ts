@@ -135,10 +135,10 @@ test('hints follow what the hand does, and are not told again', async ({ heatwal
 
 test('what the hand has done before hints have come needs none', async ({ heatwalk, page }) => {
   const held: Route[] = [];
-  await page.route('**/assets/hints-*.js', (route) => {
+  await page.route('**/assets/later-*.js', (route) => {
     held.push(route);
   });
-  const asked = page.waitForRequest('**/assets/hints-*.js');
+  const asked = page.waitForRequest('**/assets/later-*.js');
   await heatwalk.open();
   await asked;
   await page.mouse.click(...(await heatwalk.pixelOnModel()));

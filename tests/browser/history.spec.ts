@@ -108,7 +108,7 @@ test('a reload brings one’s own file back; recent files are opened again and e
 
   // Who goes back is faster than the module that follows.
   const back = new AbortController();
-  await page.route(/\/entries-[^/]*\.js$/, async (route) => {
+  await page.route(/\/later-[^/]*\.js$/, async (route) => {
     if (!back.signal.aborted) await once(back.signal, 'abort');
     await route.continue();
   });

@@ -11,7 +11,7 @@ async function openTorus(heatwalk: HeatwalkPage): Promise<void> {
 
 /** Files that readers and the budget of memory refuse, and what is told of each; spaces stand for narrow ones too. */
 const REFUSED: readonly [name: string, content: string, told: RegExp][] = [
-  ['a.obj', 'v 0 0 0\nv 1\n', /OBJ, ligne 2\s: un sommet demande trois nombres, mais rien ne suit/],
+  ['a.obj', 'v 0 0 0\nv 1\n', /OBJ, ligne 2\s: un sommet demande trois nombres, mais il y en a 1\s; le fichier/],
   ['a.off', 'OFF 3 1 0\n0 0 0\n', /OFF, fin du fichier\s: il manque 2 des 3 sommets\s; le fichier est tronqué/],
   ['a.stl', 'solid a\nfacet normal 0 0 1\nouter loop\n', /STL, ligne 2\s: la facette est coupée par la fin du fichier/],
   [

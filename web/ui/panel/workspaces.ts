@@ -169,8 +169,5 @@ export function workspacePanel(
   seen
     .then(() => import('./pin'))
     .then(({ pinning }) => pinning(panel, contents, open, pinned), session.fail.bind(session));
-  drawn
-    .then(() => import('./swipe'))
-    .then(({ followSwipes }) => followSwipes(panel.element), session.fail.bind(session));
   return panel;
 }
