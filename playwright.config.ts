@@ -35,6 +35,13 @@ const browser = (executablePath: string, args: readonly string[]) => ({
   },
 });
 
+const SERVER = {
+  // Node itself, not npx: stopping npx would leave its child on the port.
+  command: `node node_modules/vite/bin/vite.js preview --outDir ${PAGE} --port ${PORT} --strictPort`,
+  url: `http://localhost:${PORT}/`,
+  reuseExistingServer: false,
+};
+
 export default defineConfig({
   testDir: 'tests',
   forbidOnly: true,
@@ -86,10 +93,6 @@ export default defineConfig({
       grepInvert: isSlow ? /@page/ : [SLOW, /@page/],
     },
   ],
-  webServer: {
-    // Node itself, not npx: stopping npx would leave its child on the port.
-    command: `node node_modules/vite/bin/vite.js preview --outDir ${PAGE} --port ${PORT} --strictPort`,
-    url: `http://localhost:${PORT}/`,
-    reuseExistingServer: false,
-  },
+  // Unit tests alone need no page, which may not be built yet.
+  ...(process.env['HEATWALK_NO_PAGE'] ? {} : { webServer: SERVER }),
 });

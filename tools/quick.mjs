@@ -10,7 +10,9 @@ const named = 'The message above names the test.';
 
 prepare();
 await lint(buildModules);
-npmProgram('Running the unit tests of the page', '@playwright/test/cli.js', ['test', '--project=unit'], named);
+npmProgram('Running the unit tests of the page', '@playwright/test/cli.js', ['test', '--project=unit'], named, {
+  HEATWALK_NO_PAGE: '1',
+});
 const changed = changedPackages();
 if (changed.length > 0) {
   const chosen = changed.flatMap((name) => ['--package', name]);
