@@ -109,6 +109,8 @@ test.describe('on a phone', () => {
     page,
   }) => {
     await heatwalk.open();
+    // What follows swipes has come with the hints.
+    await expect(page.locator('.hint')).toBeVisible();
     await expect(page.locator('.message.summary')).toBeVisible();
     const client = await page.context().newCDPSession(page);
     const draw = async (to: number) => {

@@ -1,30 +1,34 @@
-/** The handle of the sheet on a narrow window is drawn up and down as well. Loaded after the first picture. */
+/** The handle of the sheet on a narrow window is drawn up and down as well as tapped. Loaded after the first picture. */
 import { draggable } from '../gesture';
 import { narrow } from './panel';
 
 /** CSS pixels. */
 const SWIPE = 24;
+/** A click comes within so many milliseconds of the pointer that makes it. */
+const CLICK_MS = 500;
 
 export function followSwipes(panel: HTMLElement): void {
   const handle = panel.querySelector<HTMLElement>('.panel-handle');
   if (!handle) return;
-  let isSwipe = false;
+  let ended = -Infinity;
   draggable(handle, {
-    begin: ({ button, clientY }) => {
-      isSwipe = false;
-      return button === 0 && narrow() ? { from: clientY } : null;
-    },
-    move: ({ clientY }, swipe) => {
-      const up = swipe.from - clientY;
+    begin: ({ button, clientY }) => (button === 0 && narrow() ? { from: clientY, isSwipe: false } : null),
+    move: ({ clientY }, drag) => {
+      const up = drag.from - clientY;
       if (Math.abs(up) < SWIPE) return;
-      swipe.from = clientY;
-      isSwipe = true;
+      drag.from = clientY;
+      drag.isSwipe = true;
       if ((panel.dataset.open === 'true') !== up > 0) handle.click();
     },
+    // Right after a swipe the browser takes a tap for the end of it, and makes no click of it.
+    end: ({ type, timeStamp }, { isSwipe }) => {
+      ended = timeStamp;
+      if (!isSwipe && type === 'pointerup') handle.click();
+    },
   });
-  // What ends a swipe is no click; that of a key has no detail.
   const drop = (event: MouseEvent) => {
-    if (isSwipe && event.isTrusted && event.detail > 0 && event.target === handle) event.stopPropagation();
+    const isOfPointer = event.isTrusted && event.timeStamp - ended < CLICK_MS;
+    if (isOfPointer && event.target === handle) event.stopPropagation();
   };
   panel.addEventListener('click', drop, true);
 }
