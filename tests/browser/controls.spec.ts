@@ -66,6 +66,11 @@ for (const link of ['m=bunny&method=heat&refine=0', 'm=bunny']) {
     await page.setViewportSize({ width: 1000, height: 640 });
     await heatwalk.open(`#v=1&${link}`);
     await heatwalk.closeSummary();
+    // The search opens once the sections of all workspaces are there.
+    await page.locator('.stage').press('Control+k');
+    await expect(page.locator('dialog.search')).toBeVisible();
+    await page.keyboard.press('Escape');
+    await expect(page.locator('dialog.search')).toHaveCount(0);
     const silent: string[] = [];
     const undo = page.getByRole('button', { name: 'Undo' });
     let changed = 0;

@@ -27,7 +27,7 @@ export function followSwipes(panel: HTMLElement): void {
     },
   });
   const drop = (event: MouseEvent) => {
-    const isOfPointer = event.isTrusted && event.timeStamp - ended < CLICK_MS;
+    const isOfPointer = event.isTrusted && event.detail > 0 && event.timeStamp - ended < CLICK_MS;
     if (isOfPointer && event.target === handle) event.stopPropagation();
   };
   panel.addEventListener('click', drop, true);
