@@ -70,18 +70,22 @@ impl<const WIDTH: usize, const LEAF: usize> Tree<WIDTH, LEAF> {
 
     /// A value a node: those of leaves are made of their items, those of others by joining the values of their children.
     pub fn values<T: Clone>(self, leaf: impl Fn(Range<usize>) -> T, join: impl Fn(T, T) -> T) -> Vec<T> {
-        // From the last node to the root.
-        let mut values: Vec<T> = Vec::with_capacity(self.nodes);
-        for node in (0..self.nodes).rev() {
-            let of_child = |child: usize| values[self.nodes - 1 - child].clone();
-            let value = match self.below(node) {
-                Below::Nodes(children) => children.map(of_child).reduce(&join).expect("each node has a child"),
-                Below::Items(items) => leaf(items),
-            };
-            values.push(value);
+        if self.is_empty() {
+            return Vec::new();
         }
-        values.reverse();
+        // Any value does for the nodes that have none yet.
+        let mut values = vec![leaf(self.leaf(self.inner)); self.nodes];
+        for node in self.inner + 1..self.nodes {
+            values[node] = leaf(self.leaf(node));
+        }
+        for node in (0..self.inner).rev() {
+            values[node] = self.joined(&values, node, &join);
+        }
         values
+    }
+
+    fn joined<T: Clone>(self, values: &[T], node: usize, join: impl Fn(T, T) -> T) -> T {
+        self.children(node).map(|child| values[child].clone()).reduce(join).expect("each node has a child")
     }
 
     /// The same where an item has changed since.
@@ -96,8 +100,7 @@ impl<const WIDTH: usize, const LEAF: usize> Tree<WIDTH, LEAF> {
         values[node] = leaf(self.leaf(node));
         while node > 0 {
             node = (node - 1) / WIDTH;
-            let of_children = self.children(node).map(|child| values[child].clone());
-            values[node] = of_children.reduce(&join).expect("each node has a child");
+            values[node] = self.joined(values, node, &join);
         }
     }
 }
