@@ -85,8 +85,8 @@ impl Pattern {
         (column_start, rows)
     }
 
-    /// Column and row of each entry, by other numbers.
-    fn each_renumbered(&self, number: &[u32], mut act: impl FnMut(u32, u32)) {
+    /// Column and row of each stored entry in turn, by other numbers.
+    pub(crate) fn each_renumbered(&self, number: &[u32], mut act: impl FnMut(u32, u32)) {
         for column in 0..self.size() {
             let renumbered = number[column];
             for &row in &self.rows[self.column(column)] {

@@ -127,17 +127,11 @@ impl Symbolic {
     /// Finds for every stored entry of the matrix its place in the factor.
     fn place_entries(&mut self, pattern: &Pattern) {
         let new_of_old = &self.permutation.new_of_old;
-        let ends = |column: usize, entry: usize| {
-            let [column, row] = [column, pattern.rows()[entry] as usize].map(|old| new_of_old[old]);
-            (column.min(row), column.max(row), usize::from(row < column))
+        let group = |column: u32, row: u32| {
+            2 * self.supernode_of[column.min(row) as usize] as usize + usize::from(row < column)
         };
-        let group = |low: u32, is_transposed: usize| 2 * self.supernode_of[low as usize] as usize + is_transposed;
-        let stored = || (0..pattern.size()).flat_map(|column| pattern.column(column).map(move |entry| (column, entry)));
         let mut entry_start = vec![0; 2 * self.supernode_count() + 1];
-        for (column, entry) in stored() {
-            let (low, _, is_transposed) = ends(column, entry);
-            entry_start[group(low, is_transposed) + 1] += 1;
-        }
+        pattern.each_renumbered(new_of_old, |column, row| entry_start[group(column, row) + 1] += 1);
         for index in 0..2 * self.supernode_count() {
             entry_start[index + 1] += entry_start[index];
         }
@@ -145,24 +139,24 @@ impl Symbolic {
         // First as (column, row) with the entry; the places need the rows of the supernode, one at a time.
         let mut placed = vec![(0, 0); pattern.nonzeros()];
         let mut position = vec![(0, 0); pattern.nonzeros()];
-        for (column, entry) in stored() {
-            let (low, high, is_transposed) = ends(column, entry);
-            let slot = &mut free[group(low, is_transposed)];
-            placed[*slot as usize] = (entry as u32, 0);
-            position[*slot as usize] = (low, high);
+        let mut entry = 0;
+        pattern.each_renumbered(new_of_old, |column, row| {
+            let slot = &mut free[group(column, row)];
+            placed[*slot as usize] = (entry, 0);
+            position[*slot as usize] = (column.min(row), column.max(row));
             *slot += 1;
-        }
+            entry += 1;
+        });
         let mut places = vec![0; self.size()];
         for index in 0..self.supernode_count() {
             let Supernode { start, width, below, .. } = self.supernode(index);
-            for (place, &row) in below.iter().enumerate() {
-                places[row as usize] = (width + place) as u32;
+            for (place, row) in (start as u32..(start + width) as u32).chain(below.iter().copied()).enumerate() {
+                places[row as usize] = place as u32;
             }
             let rows = (width + below.len()) as u32;
-            for slot in entry_start[2 * index] as usize..entry_start[2 * index + 2] as usize {
-                let (low, high) = position[slot];
-                let row = if (high as usize) < start + width { high - start as u32 } else { places[high as usize] };
-                placed[slot].1 = (low - start as u32) * rows + row;
+            let slots = entry_start[2 * index] as usize..entry_start[2 * index + 2] as usize;
+            for (placed, &(low, high)) in placed[slots.clone()].iter_mut().zip(&position[slots]) {
+                placed.1 = (low - start as u32) * rows + places[high as usize];
             }
         }
         self.entry_start = entry_start;
