@@ -292,6 +292,8 @@ export interface SavedCurves {
   bytes: Uint8Array<ArrayBuffer>;
   /** Of strips that are not in it since they are curved, the distances that each lies between, in the file's unit; none for no bound. */
   leftOut: readonly (readonly [from: number | null, to: number | null])[];
+  /** A spacing by which it would leave out none, in the file's unit; null where none is known. */
+  flatSpacing: number | null;
 }
 
 /** A file with a distance for each vertex of the input; `weights.ply` has them as vertex colors. */

@@ -13,7 +13,12 @@ pub const MAX_DEFECT: f64 = 0.01;
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error(
     "strip {strip} cannot be unrolled: it is curved, with an angle defect of {largest:.4} rad at vertex {vertex} and of {total:.4} rad \
-     in all, where {MAX_DEFECT} is allowed; choose a smaller spacing"
+     in all, where {MAX_DEFECT} is allowed; {}",
+    if self.is_by_one_vertex() {
+        "no spacing changes that, since one vertex has more than that, and only strips without such vertices are flat"
+    } else {
+        "choose a smaller spacing"
+    }
 )]
 pub struct NotDevelopable {
     /// Which strip it is a piece of.
@@ -24,6 +29,13 @@ pub struct NotDevelopable {
     pub vertex: u32,
     /// The sum of all of them, without signs.
     pub total: f64,
+}
+
+impl NotDevelopable {
+    /// Whether one vertex alone is curved too much: then the strip that holds it is not flat however narrow it is.
+    pub fn is_by_one_vertex(&self) -> bool {
+        self.largest > MAX_DEFECT
+    }
 }
 
 /// What is wrong, in a sentence that names it.

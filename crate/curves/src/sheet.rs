@@ -2,13 +2,17 @@
 
 use glam::DVec2;
 
-use crate::error::{NotDevelopable, Result};
+use crate::error::{MAX_DEFECT, NotDevelopable, Result};
 use crate::field::Field;
+use crate::levels::Levels;
 use crate::strips::Strips;
 use crate::unroll::pieces;
 
 /// Space between shapes, in shares of the width of a sheet.
 const GAP: f64 = 0.02;
+
+/// Spacings that are tried for one by which all strips are flat.
+const SPACINGS_TRIED: usize = 4;
 
 /// The plane shape of a piece of a strip.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,6 +64,30 @@ impl Sheet {
         strips
     }
 
+    /// A smaller spacing by which no strip is left out; none where one vertex is curved too much for any, or where it was not
+    /// found in [`SPACINGS_TRIED`].
+    pub fn flat_spacing(&self, field: &Field, strips: &Strips) -> Option<f64> {
+        if self.left_out.iter().any(NotDevelopable::is_by_one_vertex) {
+            return None;
+        }
+        let width = |strip: usize| {
+            let [from, to] = strips.bounds(strip);
+            to.unwrap_or(field.largest()) - from.unwrap_or(0.0)
+        };
+        // As if the surface were curved evenly.
+        let wanted = self.left_out.iter().map(|curved| width(curved.strip) * MAX_DEFECT / curved.total);
+        let mut spacing = wanted.reduce(f64::min)?;
+        for _ in 0..SPACINGS_TRIED {
+            spacing = round_below(spacing);
+            let strips = Strips::cut(field, &Levels::spaced(spacing, field.largest()).ok()?).ok()?;
+            if Self::unroll(field, &strips).is_ok_and(|sheet| sheet.left_out.is_empty()) {
+                return Some(spacing);
+            }
+            spacing *= 0.6;
+        }
+        None
+    }
+
     /// Lays shapes in rows about as wide as all rows are high, the highest first.
     fn arranged(mut planes: Vec<Plane>) -> Self {
         let sizes: Vec<DVec2> = planes.iter_mut().map(Plane::move_to_origin).collect();
@@ -82,6 +110,12 @@ impl Sheet {
         }
         Self { planes, size, left_out: Vec::new() }
     }
+}
+
+/// The largest of 1, 2 and 5 times powers of ten that is not above a positive number.
+fn round_below(number: f64) -> f64 {
+    let power = 10_f64.powf(number.log10().floor());
+    [5.0, 2.0].into_iter().map(|digit| digit * power).find(|&round| round <= number).unwrap_or(power)
 }
 
 impl Plane {

@@ -25,6 +25,7 @@ pub struct Curves {
     is_true: bool,
     /// Of the last file, what strips that it has not are between.
     left_out: Vec<[Option<f64>; 2]>,
+    flat_spacing: Option<f64>,
 }
 
 /// An isoline, in the unit of the file.
@@ -79,7 +80,7 @@ impl Curves {
             None => Refined { field, is_true: false },
         };
         let isolines = Isolines::trace(&field, &levels);
-        Ok(Self { field, levels, isolines, is_true, left_out: Vec::new() })
+        Ok(Self { field, levels, isolines, is_true, left_out: Vec::new(), flat_spacing: None })
     }
 
     /// The same, called a girth in files.
@@ -128,6 +129,7 @@ impl Curves {
         let unit = unit_of(unit);
         let strips = || Strips::cut(&self.field, &self.levels);
         self.left_out.clear();
+        self.flat_spacing = None;
         Ok(match kind {
             "obj" => write::obj(&self.isolines, unit),
             "dxf" => write::dxf(&self.isolines, unit),
@@ -138,6 +140,7 @@ impl Curves {
                 let strips = strips()?;
                 let sheet = Sheet::unroll(&self.field, &strips)?;
                 self.left_out = sheet.strips_left_out().into_iter().map(|strip| strips.bounds(strip)).collect();
+                self.flat_spacing = sheet.flat_spacing(&self.field, &strips);
                 match kind {
                     "unrolled.svg" => write::sheet_svg(&sheet, &strips, unit),
                     "unrolled.dxf" => write::sheet_dxf(&sheet, &strips, unit),
@@ -152,6 +155,13 @@ impl Curves {
     #[must_use]
     pub fn left_out(&self) -> Vec<f64> {
         self.left_out.iter().flat_map(|bounds| bounds.map(|bound| bound.unwrap_or(-1.0))).collect()
+    }
+
+    /// A spacing by which it would leave out none, where there is one.
+    #[wasm_bindgen(getter)]
+    #[must_use]
+    pub fn flat_spacing(&self) -> Option<f64> {
+        self.flat_spacing
     }
 
     /// "svg" or "pdf" of what is seen of them from far away, in this direction as it is drawn where the axis `up` is drawn upward.

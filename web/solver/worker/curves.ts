@@ -131,7 +131,7 @@ export async function curveFile(
     { length: bounds.length / 2 },
     (_, strip) => [bounds[2 * strip] ?? null, bounds[2 * strip + 1] ?? null] as const,
   );
-  return { bytes: bytes as Bytes, leftOut };
+  return { bytes: bytes as Bytes, leftOut, flatSpacing: found.flat_spacing ?? null };
 }
 
 export async function distanceFile(

@@ -151,8 +151,10 @@ export const PANEL: Texts = {
   'Strips unrolled, PDF': 'Bandes à plat, PDF',
   'A PDF is at true scale, and nothing says what the lengths are in. Choose it by "Correct unit".':
     'Un PDF est à l’échelle, et rien ne dit en quelle unité sont les longueurs. Choisissez-la par « Corriger l’unité ».',
-  'Left out, since they are curved: the strips {0}. A smaller spacing makes flatter ones.':
-    'Omises, car courbes : les bandes {0}. Un espacement plus petit en fait de plus plates.',
+  'Left out, since they are curved: the strips {0}.': 'Omises, car courbes : les bandes {0}.',
+  'Narrower strips hold fewer vertices; only one that holds no curved vertex is flat.':
+    'Des bandes plus étroites ont moins de sommets ; seule est plate celle qui n’a aucun sommet courbe.',
+  'A spacing of {0} makes all of them flat.': 'Un espacement de {0} les rend toutes plates.',
   'below {0}': 'en deçà de {0}',
   'beyond {0}': 'au-delà de {0}',
   'from {0} to {1}': 'de {0} à {1}',

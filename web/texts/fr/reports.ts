@@ -137,8 +137,11 @@ export const REPORTS: Texts = {
     '{0} découpés en tétraèdres ; de {1} cellules courbes, seuls les coins sont pris',
   '{0} were split into tetrahedra': '{0} découpés en tétraèdres',
   'of {0} curved cells the corners were taken': 'de {0} cellules courbes, seuls les coins sont pris',
-  'strip {0} cannot be unrolled: it is curved, with an angle defect of {1} rad at vertex {2} and of {3} rad in all, where {4} is allowed; choose a smaller spacing':
-    'la bande {0} ne peut être déroulée : elle est courbe, avec un défaut angulaire de {1} rad au sommet {2} et de {3} rad en tout, où {4} est permis ; choisissez un pas plus petit',
+  'strip {0} cannot be unrolled: it is curved, with an angle defect of {1} rad at vertex {2} and of {3} rad in all, where {4} is allowed; {5}':
+    'la bande {0} ne peut être déroulée : elle est courbe, avec un défaut angulaire de {1} rad au sommet {2} et de {3} rad en tout, où {4} est permis ; {5}',
+  'no spacing changes that, since one vertex has more than that, and only strips without such vertices are flat':
+    'aucun pas n’y change rien, car un seul sommet dépasse cela, et seules les bandes sans tels sommets sont plates',
+  'choose a smaller spacing': 'choisissez un pas plus petit',
   '{0} vertices need as many distances, not {1}': 'à {0} sommets il faut autant de distances, non {1}',
   'triangle {0} uses vertex {1}, and there are {2}, counted from 0':
     'le triangle {0} utilise le sommet {1}, et il y en a {2}, comptés à partir de 0',

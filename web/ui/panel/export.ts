@@ -15,7 +15,7 @@ import { copy } from '../clipboard';
 import { h, say, select } from '../dom';
 import { measure as lengthWords, threeDigits, unitWords, withUnit } from '../../state/measures';
 import { fileNameOf } from '../words';
-import { counted, enumerated, listed, plainNumbers, t, type Words } from '../../texts';
+import { counted, enumerated, listed, plainNumbers, sentences, t, type Words } from '../../texts';
 
 type Curve = readonly [CurveFile['kind'], Words];
 /** First what comes at true scale into other programs. */
@@ -182,9 +182,9 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
         t('A PDF is at true scale, and nothing says what the lengths are in. Choose it by "Correct unit".'),
       );
     const wanted = { kind, towardEye: towardEye(session.view.camera), unit };
-    const { bytes, leftOut } = await measured(session).queries.curveFile(wish(), wanted);
-    save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.isolines.${kind}`);
-    return leftOut.length > 0 ? leftOutWords(session, leftOut, unit) : undefined;
+    const saved = await measured(session).queries.curveFile(wish(), wanted);
+    save(new Blob([saved.bytes]), `${fileNameOf(session.shown.value)}.isolines.${kind}`);
+    return saved.leftOut.length > 0 ? leftOutWords(session, saved, unit) : undefined;
   };
   session.shown.watch((shown, previous) => {
     if (shown?.answer.field !== previous?.answer.field) table.replaceChildren();
@@ -208,8 +208,8 @@ function curveControls(session: Session, action: Action): HTMLElement[] {
   ];
 }
 
-/** Strips that are not in a file. */
-function leftOutWords(session: Session, strips: SavedCurves['leftOut'], unit: LengthUnit): Words {
+/** Strips that are not in a file, and what to do about it. */
+function leftOutWords(session: Session, { leftOut, flatSpacing }: SavedCurves, unit: LengthUnit): Words {
   let { assumed } = shownUnit(session);
   const length = (value: number) => {
     const words = lengthWords(inModel(value, unit), { ...shownUnit(session), assumed });
@@ -217,13 +217,18 @@ function leftOutWords(session: Session, strips: SavedCurves['leftOut'], unit: Le
     assumed = false;
     return words;
   };
-  const words = strips.map(([from, to]) => {
+  const words = leftOut.map(([from, to]) => {
     if (from === null) return t`below ${length(to ?? 0)}`;
     return to === null ? t`beyond ${length(from)}` : t`from ${length(from)} to ${length(to)}`;
   });
   const more = words.length - MOST_NAMED;
   const named = more > 0 ? [...words.slice(0, MOST_NAMED), counted(more, '{0} more', '{0} more')] : words;
-  return t`Left out, since they are curved: the strips ${enumerated(named)}. A smaller spacing makes flatter ones.`;
+  return sentences(
+    t`Left out, since they are curved: the strips ${enumerated(named)}.`,
+    flatSpacing === null
+      ? t('Narrower strips hold fewer vertices; only one that holds no curved vertex is flat.')
+      : t`A spacing of ${length(flatSpacing)} makes all of them flat.`,
+  );
 }
 
 function cells(tag: 'th' | 'td', words: readonly Words[]): HTMLElement {

@@ -194,6 +194,27 @@ fn what_is_curved_is_left_out_of_the_sheet_and_named() {
     assert_eq!(sheet.strips_left_out(), [0, 2]);
     let drawn: f64 = sheet.planes.iter().map(|plane| plane_area(&plane.loops)).sum();
     assert!((drawn / area(&strips.positions, &strips.triangles[strips.ranges[1].clone()]) - 1.0).abs() < 1e-9);
+    // A vertex of it alone is curved too much.
+    assert_eq!(sheet.flat_spacing(&field, &strips), None);
+    assert!(sheet.left_out[0].is_by_one_vertex() && sheet.left_out[0].to_string().contains("no spacing changes that"));
+}
+
+#[test]
+fn a_spacing_is_found_by_which_all_strips_are_flat() {
+    // A bowl of Gaussian curvature 0.048 at most, on the unit square.
+    let mut soup = shapes::grid(40, 40);
+    soup.positions.iter_mut().for_each(|position| position.y = 0.11 * position.length_squared());
+    let field = field(&soup, |position| position.x);
+    let unrolled = |spacing: f64| {
+        let strips = Strips::cut(&field, &Levels::spaced(spacing, field.largest()).unwrap()).unwrap();
+        let sheet = Sheet::unroll(&field, &strips).unwrap();
+        let spacing = sheet.flat_spacing(&field, &strips);
+        (sheet.left_out.len(), spacing)
+    };
+    // The last strip is narrow and flat.
+    let (left_out, spacing) = unrolled(0.49);
+    assert_eq!((left_out, spacing), (2, Some(0.2)));
+    assert_eq!(unrolled(0.2), (0, None));
 }
 
 /// Whole numbers and others of a PDF: the sides of the page, in millimeters, what is written, and the segments of all lines, in
