@@ -374,8 +374,10 @@ test('distances inside are saved, with tetrahedra that open again', async ({ hea
     expect(distance).toBeCloseTo(Math.hypot(...steps) / N, 12);
   }
   const files = [await saved('vtu'), await saved('msh')];
-  await section.getByRole('button', { name: 'Measure isolines' }).click();
-  await expect(section.getByRole('status')).toHaveText('This is for surfaces, not for the inside of tetrahedra.');
+  const ofSurfaces = section.getByRole('group').filter({ hasText: 'This is for surfaces, not for the inside' });
+  await expect(ofSurfaces).toHaveCount(2);
+  for (const name of ['Measure isolines', 'Save isolines', 'Save tracks'])
+    await expect(ofSurfaces.getByRole('button', { name })).toBeDisabled();
   for (const [index, name] of ['again.vtu', 'again.msh'].entries()) {
     await heatwalk.dropAndOpen([[name, files[index]]]);
     expect((await heatwalk.mesh()).tetrahedra).toBe(6 * N ** 3);

@@ -12,6 +12,11 @@ import { count, counted, enumerated, listed, numbers, retold, sentences, some, t
 /** What is wanted of a field. */
 type Wish = Pick<SceneState, 'method' | 'pathKind'>;
 
+/** What is said to who has a mouse, and to who has fingers. */
+export function byHand<T>(mouse: T, touch: T): T {
+  return matchMedia('(pointer: coarse)').matches ? touch : mouse;
+}
+
 /** Of files about a mesh, without an ending. */
 export function fileNameOf(shown: { opened: OpenedMesh } | null): string {
   return (shown?.opened.name ?? 'heatwalk').replace(/\.\w+$/, '');

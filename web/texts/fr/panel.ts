@@ -238,6 +238,8 @@ export const PANEL: Texts = {
     'Choisissez une zone : tout ce qui y coûte autant est peint.',
   'Mark one vertex after the other. The last one again, or Esc, ends the wall.':
     'Marquez un sommet après l’autre. Le dernier encore une fois, ou Échap, termine le mur.',
+  'Mark one vertex after the other. The last one again ends the wall.':
+    'Marquez un sommet après l’autre. Le dernier encore une fois termine le mur.',
   'Choose a wall or a gate to open it, or to close it again.':
     'Choisissez un mur ou une porte pour l’ouvrir, ou pour la refermer.',
   Mud: 'Boue',
@@ -275,6 +277,8 @@ export const PANEL: Texts = {
   '{0} × at the top': '{0} × au sommet',
   'Mark the next vertex. The last one again, or Esc, ends the wall.':
     'Marquez le sommet suivant. Le dernier encore une fois, ou Échap, termine le mur.',
+  'Mark the next vertex. The last one again ends the wall.':
+    'Marquez le sommet suivant. Le dernier encore une fois termine le mur.',
   'Where costs differ, no distances are exact.': 'Là où les coûts diffèrent, aucune distance n’est exacte.',
   'Nobody walks through': 'Personne ne le traverse',
   'A wall that can be opened': 'Un mur que l’on peut ouvrir',
@@ -313,6 +317,8 @@ export const PANEL: Texts = {
   'Mark places to measure between them': 'Marquez des points pour mesurer entre eux',
   'Mark two places or more. The last one again, or Esc, ends the tape; the first one, or a double click, closes it.':
     'Marquez deux points ou plus. Le dernier encore une fois, ou Échap, termine le ruban ; le premier, ou un double-clic, le ferme.',
+  'Mark two places or more. The last one again ends the tape; the first one closes it.':
+    'Marquez deux points ou plus. Le dernier encore une fois termine le ruban ; le premier le ferme.',
   'steepest descent': 'plus forte pente',
   straightened: 'redressé',
   Renderer: 'Moteur de rendu',
@@ -378,6 +384,8 @@ export const PANEL: Texts = {
     'Maj + clic trace une ligne le long d’arêtes depuis la dernière source.',
   'Mark one vertex after the other. The last one again, or Esc, ends the line; the first one closes it.':
     'Marquez un sommet après l’autre. Le dernier encore une fois, ou Échap, termine la ligne ; le premier la ferme.',
+  'Mark one vertex after the other. The last one again ends the line; the first one closes it.':
+    'Marquez un sommet après l’autre. Le dernier encore une fois termine la ligne ; le premier la ferme.',
   'Drag on the surface to draw. A stroke that ends where it began is closed.':
     'Glissez sur la surface pour tracer. Un trait qui finit où il a commencé est fermé.',
   'Choose a boundary: all of its vertices are sources.': 'Choisissez un bord : tous ses sommets sont des sources.',

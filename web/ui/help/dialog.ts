@@ -3,6 +3,7 @@ import '../../style/help.css';
 import type { Session } from '../../session/session';
 import { h, labelled, sayAgain, select, toggle } from '../dom';
 import { hasShortcuts, setShortcuts } from '../shortcuts';
+import { byHand } from '../words';
 import { about } from './about';
 import { addressOf } from './documents';
 import { explain } from './explain';
@@ -57,14 +58,13 @@ export function openHelp(session: Session, panel: HTMLElement | null, failed: (e
 
 /** With fingers first where there is no mouse; keys where there may be some. */
 function gestures(): HTMLElement {
-  const byTouch = matchMedia('(pointer: coarse)').matches;
   const head = h(
     'tr',
     {},
-    ...[t('Action'), byTouch ? t('Touch') : t('Mouse'), t('Keyboard')].map((text) => h('th', { scope: 'col' }, text)),
+    ...[t('Action'), byHand(t('Mouse'), t('Touch')), t('Keyboard')].map((text) => h('th', { scope: 'col' }, text)),
   );
   const rows = GESTURES.map(({ what, mouse, touch, keys }) =>
-    h('tr', {}, h('th', { scope: 'row' }, what), h('td', {}, (byTouch ? touch : mouse) ?? '–'), keyCell(keys)),
+    h('tr', {}, h('th', { scope: 'row' }, what), h('td', {}, byHand(mouse, touch) ?? '–'), keyCell(keys)),
   );
   return h('table', {}, h('thead', {}, head), h('tbody', {}, ...rows));
 }

@@ -8,6 +8,7 @@ import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
 import { h, say } from '../dom';
 import { remember, remembered } from '../memory';
+import { byHand } from '../words';
 import { t, type Words } from '../../texts';
 
 const MEMORY = 'heatwalk.hints';
@@ -50,7 +51,6 @@ const TOOLS: ReadonlySet<Tool> = new Set(['source', 'add']);
 
 /** Shows the hints in an element. `before`: the scene of the first picture, since which the hand may have done something. */
 export function showHints(element: HTMLElement, session: Session, tool: Signal<Tool>, before: SceneState): void {
-  const byTouch = matchMedia('(pointer: coarse)').matches;
   const text = h('span', { 'aria-live': 'polite' });
   const close = h(
     'button',
@@ -64,7 +64,7 @@ export function showHints(element: HTMLElement, session: Session, tool: Signal<T
     element.hidden = next === undefined || !TOOLS.has(tool.value);
     if (!next) return;
     const hint = next.isFor(session.scene.state) ? next : SET_SOURCE;
-    say(text, byTouch ? hint.touch : hint.mouse);
+    say(text, byHand(hint.mouse, hint.touch));
   };
   const turn = (next: number) => {
     known = next;

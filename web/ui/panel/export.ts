@@ -12,7 +12,7 @@ import { vectorsIn } from '../../state/vector';
 import { inModel, isKnown, isSameUnit, type LengthUnit, MODEL, told, toldArea, unitOf, unitOfFile } from '../../length';
 import { save } from '../../view/picture';
 import { copy } from '../clipboard';
-import { h, say, select } from '../dom';
+import { h, reason, say, select } from '../dom';
 import { measure as lengthWords, threeDigits, unitWords, withUnit } from '../../state/measures';
 import { fileNameOf } from '../words';
 import { counted, enumerated, listed, plainNumbers, sentences, t, type Words } from '../../texts';
@@ -33,6 +33,7 @@ const CURVES: readonly [Curve, ...Curve[]] = [
 ];
 /** The surface as it is painted, which the page writes by itself. */
 const STRIPES = 'stripes.glb';
+const OF_SURFACES = t('This is for surfaces, not for the inside of tetrahedra.');
 /** Strips that are named one by one. */
 const MOST_NAMED = 5;
 const DISTANCES: readonly (readonly [DistanceFile | typeof STRIPES, Words])[] = [
@@ -84,13 +85,26 @@ export function exportSection(session: Session): HTMLElement {
   return h(
     'div',
     { class: 'stack' },
-    ...curveControls(session, action),
+    ofSurfaces(session, curveControls(session, action)),
     ...distanceControls(session, action),
     ...pathControls(session, action),
-    ...trackControls(session, action),
+    ofSurfaces(session, trackControls(session, action)),
     ...reproduceControls(session, action),
     said,
   );
+}
+
+/** Controls that are of no use inside of tetrahedra, and say so there. */
+function ofSurfaces(session: Session, controls: readonly HTMLElement[]): HTMLElement {
+  const group = h('fieldset', { class: 'stack' }, ...controls);
+  const show = () => {
+    const isInside = Boolean(session.shown.value?.opened.interior);
+    group.disabled = isInside;
+    reason(group, isInside ? OF_SURFACES : null);
+  };
+  session.shown.watch(show);
+  show();
+  return group;
 }
 
 type Action = (name: Words, title: Words, work: () => Promise<Words | void> | Words | void) => HTMLElement;
@@ -105,7 +119,7 @@ function asked(session: Session): Engine {
 /** The same where that is on a surface. */
 function measured(session: Session): Engine {
   if (session.shown.value?.opened.interior)
-    throw new Failure(t('This is for surfaces, not for the inside of tetrahedra.'));
+    throw new Failure(OF_SURFACES);
   return asked(session);
 }
 

@@ -11,7 +11,7 @@ import type { Tool } from '../../state/tool';
 import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
 import { KEYS, withKey } from '../keys';
 import { measure, threeDigits } from '../../state/measures';
-import { hikingWords, percent } from '../words';
+import { byHand, hikingWords, percent } from '../words';
 import { sentences, t, type Words } from '../../texts';
 
 /** Of the button that paints them. */
@@ -27,9 +27,18 @@ const TOOL_WORDS: Record<GroundTool, Words> = {
 const TOOL_HINTS: Record<GroundTool, Words> = {
   brush: t('Drag on the surface to paint. Drag beside it, with ctrl, or with two fingers to orbit.'),
   fill: t('Choose an area: all of it that costs the same is painted.'),
-  line: t('Mark one vertex after the other. The last one again, or Esc, ends the wall.'),
+  line: byHand(
+    t('Mark one vertex after the other. The last one again, or Esc, ends the wall.'),
+    t('Mark one vertex after the other. The last one again ends the wall.'),
+  ),
   toggle: t('Choose a wall or a gate to open it, or to close it again.'),
 };
+
+/** While a wall is being drawn. */
+const NEXT_HINT = byHand(
+  t('Mark the next vertex. The last one again, or Esc, ends the wall.'),
+  t('Mark the next vertex. The last one again ends the wall.'),
+);
 
 const MATERIAL_WORDS: Record<Material, Words> = {
   mud: t('Mud'),
@@ -124,7 +133,7 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
     brush.show(editor.isOn);
     tool.show(chosen);
     const isLine = editor.lineEnd.value !== null;
-    say(hint, isLine ? t('Mark the next vertex. The last one again, or Esc, ends the wall.') : TOOL_HINTS[chosen]);
+    say(hint, isLine ? NEXT_HINT : TOOL_HINTS[chosen]);
     hint.hidden = !editor.isOn;
     for (const { material: other, swatch, button } of buttons) {
       button.setAttribute('aria-pressed', String(other === material));

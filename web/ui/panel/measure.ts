@@ -6,6 +6,7 @@ import { h } from '../dom';
 import { KEYS, withKey } from '../keys';
 import type { MeasureInput } from '../measure/input';
 import type { Measuring } from '../measure/loaded';
+import { byHand } from '../words';
 import type { Tool } from '../../state/tool';
 import { t } from '../../texts';
 
@@ -34,8 +35,11 @@ export class MeasureSection {
     const help = h(
       'p',
       { class: 'quiet' },
-      t(
-        'Mark two places or more. The last one again, or Esc, ends the tape; the first one, or a double click, closes it.',
+      byHand(
+        t(
+          'Mark two places or more. The last one again, or Esc, ends the tape; the first one, or a double click, closes it.',
+        ),
+        t('Mark two places or more. The last one again ends the tape; the first one closes it.'),
       ),
     );
     this.element = h('div', { class: 'stack' }, choose, help);

@@ -8,6 +8,7 @@ import type { Signal } from '../../state/signal';
 import type { SourceSet } from '../../state/sources';
 import { save } from '../../view/picture';
 import { h, say, select } from '../dom';
+import { byHand } from '../words';
 import { DRAWING, type Tool } from '../../state/tool';
 import { plainNumbers, t, type Words } from '../../texts';
 
@@ -23,10 +24,11 @@ const WORDS: readonly (readonly [Choice, Words])[] = [
 ];
 
 const HINTS: Record<Choice, Words> = {
-  none: matchMedia('(pointer: coarse)').matches
-    ? t('Choose what a tap draws.')
-    : t('Shift + click draws a line along edges from the last source.'),
-  line: t('Mark one vertex after the other. The last one again, or Esc, ends the line; the first one closes it.'),
+  none: byHand(t('Shift + click draws a line along edges from the last source.'), t('Choose what a tap draws.')),
+  line: byHand(
+    t('Mark one vertex after the other. The last one again, or Esc, ends the line; the first one closes it.'),
+    t('Mark one vertex after the other. The last one again ends the line; the first one closes it.'),
+  ),
   stroke: t('Drag on the surface to draw. A stroke that ends where it began is closed.'),
   boundary: t('Choose a boundary: all of its vertices are sources.'),
   part: t('Choose a part: all of its vertices are sources; of a model of one part, those of the component.'),
