@@ -129,8 +129,12 @@ test('the search finds settings by name and by what is said of them, commands wi
   await expect(page.getByRole('slider', { name: 'Stripe roughness' })).toBeFocused();
   await expect(page.getByRole('tab', { name: 'Look' })).toHaveAttribute('aria-selected', 'true');
 
-  // By a word of its explanation alone.
   await page.getByRole('button', { name: 'Search', exact: true }).click();
+  await field.fill('measure');
+  const named = await dialog.getByRole('option').allTextContents();
+  expect(named).toContain('MeasureMeasure');
+  expect(new Set(named).size).toBe(named.length);
+  // By a word of its explanation alone.
   await field.fill('hiker');
   await expect(dialog.getByRole('option').first()).toHaveText('SlopeGround');
   // By what can be chosen, and by what others call it.

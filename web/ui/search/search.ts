@@ -139,7 +139,7 @@ function presetItems(opener: Opener): Item[] {
 
 /** Settings, buttons and headings of the panel, to which the search leads; what only saves or copies is done at once. */
 function settingItems(panel: Panel): Item[] {
-  return [...panel.element.querySelectorAll<HTMLElement>(CONTROLS)].flatMap((control) => {
+  const items = [...panel.element.querySelectorAll<HTMLElement>(CONTROLS)].flatMap((control) => {
     if (control.closest('[hidden]:not([id^=workspace-])')) return [];
     const section = control.closest<HTMLElement>('details[id^="section-"]');
     const name = nameOf(control);
@@ -155,6 +155,8 @@ function settingItems(panel: Panel): Item[] {
     };
     return [{ name, place: placeOf(section, name), line: line.map((each) => String(each ?? '')).join(' '), run }];
   });
+  // A heading may have the name of its first button.
+  return [...new Map(items.map((item) => [`${item.place} › ${item.name}`, item])).values()];
 }
 
 function nameOf(control: HTMLElement): string {
@@ -163,11 +165,11 @@ function nameOf(control: HTMLElement): string {
   return /\p{L}/u.test(text) ? text : '';
 }
 
-/** "Look › Style": where a setting is, without the names that say the same. */
+/** "Look › Style": where a setting is, without a heading that says the same. */
 function placeOf(section: HTMLElement, name: string): string {
   const sheet = section.closest<HTMLElement>('[id^=workspace-]');
   const tab = sheet && document.getElementById(sheet.getAttribute('aria-labelledby') ?? '');
   const heading = section.querySelector('summary')?.textContent.trim() ?? '';
-  const path = [tab?.textContent.trim() ?? '', heading].filter((each) => each !== '' && each !== name);
+  const path = [tab?.textContent.trim() ?? '', heading === name ? '' : heading].filter((each) => each !== '');
   return [...new Set(path)].join(' › ');
 }
