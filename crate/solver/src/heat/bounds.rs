@@ -12,20 +12,14 @@ use crate::heat::point_source::PointSource;
 /// What the bounds of distances on a mesh take.
 #[derive(Debug)]
 pub struct Bounds {
-    edges: Vec<Edge>,
-    /// `#V + 1`, where the edges of each vertex begin in `spokes`.
+    /// `#V + 1`, where the neighbors of each vertex begin.
     start: Vec<u32>,
-    /// Every edge, as a vertex at either of its ends has it.
-    spokes: Vec<u32>,
+    /// The other ends of its edges.
+    neighbors: Vec<u32>,
+    /// What each of these edges is long, times what a unit of length costs there.
+    lengths: Vec<f64>,
     /// What a unit of length costs at least.
     least_cost: f64,
-}
-
-#[derive(Debug)]
-struct Edge {
-    ends: [u32; 2],
-    /// What it is long, times what a unit of length costs there.
-    length: f64,
 }
 
 /// All edges are looked at to and fro so often at most. It takes a hundredth of what the search takes for as many, and leaves few to it
@@ -39,22 +33,22 @@ impl Bounds {
     /// By the edges of so many vertices, with what each costs, which is no less than the straight line between its ends at the
     /// least cost.
     pub fn new(vertices: usize, edges: impl Iterator<Item = ([u32; 2], f64)>, least_cost: f64) -> Self {
-        let edges: Vec<Edge> = edges.map(|(ends, length)| Edge { ends, length }).collect();
+        let edges: Vec<([u32; 2], f64)> = edges.collect();
         let mut start = vec![0; vertices + 1];
-        edges.iter().flat_map(|edge| edge.ends).for_each(|end| start[end as usize + 1] += 1);
+        edges.iter().flat_map(|&(ends, _)| ends).for_each(|end| start[end as usize + 1] += 1);
         for vertex in 1..start.len() {
             start[vertex] += start[vertex - 1];
         }
         let mut next = start.clone();
-        let mut spokes = vec![0; 2 * edges.len()];
-        for (index, edge) in (0..).zip(&edges) {
-            for end in edge.ends {
+        let (mut neighbors, mut lengths) = (vec![0; 2 * edges.len()], vec![0.0; 2 * edges.len()]);
+        for ([a, b], length) in edges {
+            for (end, other) in [(a, b), (b, a)] {
                 let place = &mut next[end as usize];
-                spokes[*place as usize] = index;
+                (neighbors[*place as usize], lengths[*place as usize]) = (other, length);
                 *place += 1;
             }
         }
-        Self { edges, start, spokes, least_cost }
+        Self { start, neighbors, lengths, least_cost }
     }
 
     /// Makes distances (`#V`) from some sources keep to straight lines and to the way along edges. What is infinite comes to be as far.
@@ -69,12 +63,12 @@ impl Bounds {
         let mut lowered = Vec::new();
         for sweep in 0..MOST_SWEEPS {
             lowered.clear();
-            let lower = |edge| lower(edge, values, &mut lowered);
-            let edges = self.edges.iter();
+            let vertices = 0..values.len() as u32;
+            let lower = |vertex| self.lower(vertex, values, &mut lowered);
             if sweep % 2 == 0 {
-                edges.for_each(lower);
+                vertices.for_each(lower);
             } else {
-                edges.rev().for_each(lower);
+                vertices.rev().for_each(lower);
             }
             if FEW * lowered.len() < values.len() {
                 break;
@@ -94,8 +88,8 @@ impl Bounds {
             if value > values[vertex as usize] {
                 continue;
             }
-            for &Edge { ends: [a, b], length } in self.edges_of(vertex) {
-                let (end, through) = (a ^ b ^ vertex, value + length);
+            for (end, length) in self.edges_of(vertex) {
+                let through = value + length;
                 let known = &mut values[end as usize];
                 if through < *known {
                     *known = through;
@@ -105,22 +99,22 @@ impl Bounds {
         }
     }
 
-    fn edges_of(&self, vertex: u32) -> impl Iterator<Item = &Edge> {
-        let range = self.start[vertex as usize] as usize..self.start[vertex as usize + 1] as usize;
-        self.spokes[range].iter().map(|&edge| &self.edges[edge as usize])
+    /// Lowers the distance of a vertex to the least of those of its neighbors and the edges between.
+    #[inline]
+    fn lower(&self, vertex: u32, values: &mut [f64], lowered: &mut Vec<u32>) {
+        let through = self.edges_of(vertex).map(|(end, length)| values[end as usize] + length);
+        let least = through.fold(f64::INFINITY, smaller);
+        if least < values[vertex as usize] {
+            values[vertex as usize] = least;
+            lowered.push(vertex);
+        }
     }
-}
 
-/// Lowers the distance of the farther end of an edge to that of the nearer one and the length.
-#[inline]
-fn lower(&Edge { ends: [a, b], length }: &Edge, values: &mut [f64], lowered: &mut Vec<u32>) {
-    let [at_a, at_b] = [a, b].map(|end| values[end as usize]);
-    if at_b + length < at_a {
-        values[a as usize] = at_b + length;
-        lowered.push(a);
-    } else if at_a + length < at_b {
-        values[b as usize] = at_a + length;
-        lowered.push(b);
+    /// The other ends of a vertex's edges, and what these cost.
+    #[inline]
+    fn edges_of(&self, vertex: u32) -> impl Iterator<Item = (u32, f64)> {
+        let range = self.start[vertex as usize] as usize..self.start[vertex as usize + 1] as usize;
+        self.neighbors[range.clone()].iter().copied().zip(self.lengths[range].iter().copied())
     }
 }
 

@@ -33,6 +33,10 @@ const ENOUGH: f64 = 0.001;
 /// Of places of large triangles that are in one cell, so many of which make a spacing, the nearest is enough.
 const CELLS: f64 = 8.0;
 
+/// A large triangle has met all that matters of a component, but for what pierces it, where so many triangles of it in a row tell of
+/// no place that is in another cell or nearer. Of slivers side by side hundreds may be near enough.
+const TELLING_NOTHING: u8 = 8;
+
 /// Blocks that one thread searches at once: so few that all threads get their share of the contacts.
 const BLOCKS_OF_PART: usize = 4;
 
@@ -114,11 +118,14 @@ struct Nearest {
     bounds: [f64; LEAF],
     /// The number of the nearest one, where it is the only one to be told, or [`NONE`].
     places: [u32; LEAF],
+    /// How many triangles in a row told a large one nothing.
+    nothing: [u8; LEAF],
 }
 
 impl Nearest {
     fn new(component: u32, bound: f64, group: &[Item]) -> Self {
-        let mut nearest = Self { component, longest: [0.0; LEAF], bounds: [0.0; LEAF], places: [NONE; LEAF] };
+        let [longest, bounds] = [[0.0; LEAF]; 2];
+        let mut nearest = Self { component, longest, bounds, places: [NONE; LEAF], nothing: [0; LEAF] };
         for (own, item) in group.iter().enumerate() {
             (nearest.longest[own], nearest.bounds[own]) = (item.longest, bound);
         }
@@ -271,15 +278,17 @@ impl<'a> Search<'a> {
             if crossing.is_none() || !triangles::are_steep(normals) {
                 let features = items.map(|item| self.features(item.face));
                 let sides = normals.map(|normal| normal.to_array().map(|along| along > 0.0));
+                let mut is_telling = false;
                 let mut take = |Pair { weights, distance }: Pair| {
                     let middle =
                         0.5 * (triangles::point(&pair[0], weights[0]) + triangles::point(&pair[1], weights[1]));
                     let place = cell_of(middle * (CELLS / spacing));
                     let cell = Cell { place, component: other.component, sides };
-                    self.keep(cell, Candidate::new(items, weights, distance));
+                    is_telling |= self.keep(cell, Candidate::new(items, weights, distance));
                 };
                 let tried = triangles::spread(&pair, features, bound, spacing / DENSITY, &mut take);
                 self.steps += tried;
+                self.count(group, own, other.component, is_telling);
             }
         } else if crossing.is_none() && bound > 0.0 {
             let enough = ENOUGH * spacing;
@@ -313,6 +322,19 @@ impl<'a> Search<'a> {
     #[inline]
     fn features(&mut self, face: u32) -> Features {
         *self.features[face as usize].get_or_insert_with(|| self.scene.features(face))
+    }
+
+    /// Notes whether a triangle of a component told a large one of a group anything.
+    fn count(&mut self, group: &[Item], own: usize, component: u32, is_telling: bool) {
+        if is_telling && self.slots[component as usize] == NONE {
+            return;
+        }
+        let nearest = self.nearest(group, component);
+        let nothing = &mut nearest.nothing[own];
+        *nothing = if is_telling { 0 } else { nothing.saturating_add(1) };
+        if *nothing == TELLING_NOTHING {
+            nearest.bounds[own] = 0.0;
+        }
     }
 
     /// To a triangle of a group, no place of a component is nearer than this one, or than what was found otherwise.
@@ -361,20 +383,23 @@ impl<'a> Search<'a> {
         self.found.push(place);
     }
 
-    /// Keeps a place of large triangles, unless one of the same cell is as near.
-    fn keep(&mut self, cell: Cell, place: Candidate) {
+    /// Keeps a place of large triangles, unless one of the same cell is as near. Returns whether it was kept.
+    fn keep(&mut self, cell: Cell, place: Candidate) -> bool {
         self.steps += 1;
         let cells = &mut self.cells[list_of(cell.place, LISTS)];
         match cells.iter().rev().take(COMPARED).find(|(other, _)| *other == cell) {
             Some(&(_, number)) => {
                 let known = self.found.get_mut(number);
-                if place.gap < known.gap {
+                let is_nearer = place.gap < known.gap;
+                if is_nearer {
                     *known = place;
                 }
+                is_nearer
             }
             None => {
                 cells.push((cell, self.found.len()));
                 self.tell(place);
+                true
             }
         }
     }
