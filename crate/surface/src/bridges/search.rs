@@ -415,3 +415,56 @@ impl<'a> Search<'a> {
         &mut self.reached[*slot as usize]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    use std::collections::HashMap;
+
+    use glam::DVec3;
+
+    use super::super::tests::{Shape, assembled};
+    use super::*;
+
+    /// A strip of length 1 from a height on, cut across into slivers.
+    fn slivers(columns: u32, low: f64) -> Shape {
+        let at = |column: u32| f64::from(column) / f64::from(columns);
+        let positions = (0..=columns).flat_map(|column| [low, low + 1.0].map(|y| DVec3::new(at(column), y, 0.0)));
+        let triangles = (0..columns).flat_map(|column| {
+            let [a, b, c, d] = [0, 1, 2, 3].map(|k| 2 * column + k);
+            [[a, c, b], [b, c, d]]
+        });
+        (positions.collect(), triangles.collect())
+    }
+
+    #[test]
+    fn of_slivers_beside_slivers_each_looks_at_few_and_places_are_all_along() {
+        let steps_of_triangle = [500, 4000].map(|columns| {
+            let surface = assembled(&[slivers(columns, 0.0), slivers(2 * columns, 1.0 + 1e-7)]);
+            let scene = Scene::new(&surface, parallel::ONE);
+            let hierarchy = Hierarchy::new(&scene);
+            let tolerance = Tolerance { set: vec![0, 1], reach: vec![0.003; 2], pairs: HashMap::new() };
+            let sets = hierarchy.common(|component| tolerance.set[component as usize]);
+            let mut search = Search::new(&scene, &tolerance, false);
+            let budget = Budget::new(surface.face_count());
+            assert!(visit(&hierarchy, &sets, hierarchy.blocks(), &tolerance, &budget, &mut search));
+            let place =
+                |candidate: &Candidate| triangles::point(&scene.triangle(candidate.faces[0]), candidate.weights[0]);
+            let found = search.found.chunks.iter().flatten().filter(|candidate| candidate.gap < 1e-6);
+            let mut along: Vec<f64> = found.map(|candidate| place(candidate).x).collect();
+            along.sort_unstable_by(f64::total_cmp);
+            let ends = [along[0], along[along.len() - 1]];
+            let widest = along.windows(2).map(|places| places[1] - places[0]).fold(0.0, f64::max);
+            // A cell, of the scene's unit: the diagonal.
+            let cell = scene.spacing([0, 1]) / CELLS;
+            assert!(
+                widest < 2.0 * cell && (ends[1] - ends[0] - 5.0_f64.sqrt().recip()).abs() < 4.0 * cell,
+                "{widest} {ends:?}"
+            );
+            search.steps / surface.face_count()
+        });
+        assert!(steps_of_triangle[1] < 2 * steps_of_triangle[0], "{steps_of_triangle:?}");
+    }
+}
