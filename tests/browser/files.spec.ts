@@ -138,7 +138,7 @@ test('a 3MF file is a mesh, though it is an archive, and tells its unit', async 
   expect((await heatwalk.mesh()).triangles).toBe(TRIANGLES);
   expect((await heatwalk.mesh()).parts).toEqual(['ball']);
   await openSection(page, 'numbers');
-  await expect(page.locator('.numbers')).toContainText(/Diameter[\d.]+ in/);
+  await expect(page.locator('.numbers')).toContainText(/Diagonal[\d.]+ in/);
 });
 
 test('where no format says a unit, the size suggests one, which is corrected, converted and undone', async ({
@@ -150,8 +150,8 @@ test('where no format says a unit, the size suggests one, which is corrected, co
   await heatwalk.dropAndOpen([['ball.off', off(large as typeof BALL)]]);
   await openSection(page, 'numbers');
   const numbers = page.locator('.numbers');
-  await expect(numbers).toContainText(/Diameter[\d.]+ mm \(assumed\)/);
-  const [diameter] = /Diameter[\d.]+/.exec((await numbers.textContent()) ?? '') ?? [];
+  await expect(numbers).toContainText(/Diagonal[\d.]+ mm \(assumed\)/);
+  const [diameter] = /Diagonal[\d.]+/.exec((await numbers.textContent()) ?? '') ?? [];
   await openSection(page, 'scene');
   const unit = page.getByRole('combobox', { name: 'Correct unit' });
   await expect(unit.locator('option').first()).toHaveText('mm (assumed)');
@@ -160,10 +160,10 @@ test('where no format says a unit, the size suggests one, which is corrected, co
   await expect(numbers).toContainText(`${diameter} in`);
   await expect(page).toHaveURL(/&unit=in/);
   // Converted, the size stays, and the number changes.
-  const [inches = NaN] = (/Diameter([\d.]+)/.exec(diameter ?? '') ?? []).slice(1).map(Number);
+  const [inches = NaN] = (/Diagonal([\d.]+)/.exec(diameter ?? '') ?? []).slice(1).map(Number);
   await page.getByRole('combobox', { name: 'Convert to' }).selectOption('ft');
-  await expect(numbers).toContainText(/Diameter[\d.]+ ft/);
-  const [feet] = (/Diameter([\d.]+)/.exec((await numbers.textContent()) ?? '') ?? []).slice(1).map(Number);
+  await expect(numbers).toContainText(/Diagonal[\d.]+ ft/);
+  const [feet] = (/Diagonal([\d.]+)/.exec((await numbers.textContent()) ?? '') ?? []).slice(1).map(Number);
   expect(feet / (inches / 12)).toBeCloseTo(1, 2);
   await expect(page).toHaveURL(/&unit=in&shown=ft/);
   await page.getByRole('button', { name: 'Undo' }).click();

@@ -251,7 +251,7 @@ test('the readout shows distance and vertex under the pointer', async ({ heatwal
   const [x, y] = await heatwalk.pixelOnModel();
   await page.mouse.move(x, y);
   const readout = page.locator('.readout');
-  await expect(readout).toHaveText(/^[\d.]+ units · \d+ % of the diameter · vertex \d+$/);
+  await expect(readout).toHaveText(/^[\d.]+ units · \d+ % of the diagonal · vertex \d+$/);
   const place = await page.evaluate(([px, py]) => window.heatwalk.placeAt(px, py), [x, y] as const);
   if (!place) throw new Error('nothing under the pointer');
   const said = Number.parseFloat((await readout.textContent()) ?? '');

@@ -126,7 +126,7 @@ async function allLengths(heatwalk: HeatwalkPage, symbol: string): Promise<Recor
 
   await openSection(page, 'numbers');
   const numbers = page.locator('.numbers');
-  for (const name of ['Diameter', 'Maximum distance', 'Path', 'Cost of the path']) {
+  for (const name of ['Diagonal', 'Maximum distance', 'Path', 'Cost of the path']) {
     const cell = numbers.locator('dt', { hasText: new RegExp(`^${name}$`) }).locator('xpath=following-sibling::dd[1]');
     found[name] = lengthIn(await cell.textContent(), symbol);
   }
@@ -242,7 +242,7 @@ const FLATTENED = Math.hypot(10, 10) ** 2 / (4 * RADII[0] ** 2);
 const EXTENT = [RADII[1], RADII[1], RADII[1]];
 
 const EXPECTED: Readonly<Record<string, number | readonly number[]>> = {
-  Diameter: DIAGONAL,
+  Diagonal: DIAGONAL,
   'Maximum distance': OFFSET + PATH,
   Path: PATH,
   'Cost of the path': PATH,

@@ -350,7 +350,12 @@ export class Opener {
           name: lighter.name,
           run: () => void this.#open({ ...request, state: lighter.state }, done),
         };
-        this.#notifier.fail(t`${request.title} was not opened: ${messageOf(error)}`, detailsOf(error), remedy);
+        const why = messageOf(error);
+        const isFilling = request.state.fill !== null && this.#session.shown.value?.opened.name === request.title;
+        const failure = isFilling
+          ? t`${request.title} was not filled: ${why}`
+          : t`${request.title} was not opened: ${why}`;
+        this.#notifier.fail(failure, detailsOf(error), remedy);
       }
     }
   }

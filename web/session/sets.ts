@@ -25,6 +25,8 @@ import { boundaryNear, partOf } from './outlines';
 import type { Session } from './session';
 import { count, counted, t, type Words } from '../texts';
 
+/** As a share of the diagonal: what is no farther away is there. */
+const ROUNDING = 1e-6;
 /** As a share of the diameter: what was measured on a model is nearer to it. */
 const FAR = 0.1;
 
@@ -176,7 +178,7 @@ export interface PlacedList {
  *
  * @throws where a row is none, with its line.
  */
-export function placeList(session: Session, name: string, text: string): PlacedList {
+export function placeList(session: Session, name: Words, text: string): PlacedList {
   const mesh = meshOf(session);
   if (!mesh) throw new Failure(t('There is no mesh yet.'));
   const { scene } = session;
@@ -185,14 +187,17 @@ export function placeList(session: Session, name: string, text: string): PlacedL
   const placed = rowsOf(name, text, unit).map((row) => placedOf(row, mesh));
   const farthest = placed.reduce((most, { away }) => Math.max(most, away), 0) / opened.drawTransform.scale;
   const away = measure(ofModel(farthest), unit);
+  const isAway = farthest > ROUNDING * places.diameter;
   const add = () => {
     const [first, ...others] = placed;
     if (first && others.length === 0) {
       if (!addSource(scene, first.source)) return t('This place is a source already.');
-      return 'coordinates' in first.row.place ? t`Added, ${away} away from there.` : t('Added.');
+      return isAway ? t`Added, ${away} away from there.` : t('Added.');
     }
     const points = inOrder(placed.map(({ source }) => source));
-    const short = name.replaceAll(/\p{Surrogate}/gu, '').slice(0, LONGEST_NAME);
+    const short = String(name)
+      .replaceAll(/\p{Surrogate}/gu, '')
+      .slice(0, LONGEST_NAME);
     addWhole(scene, { shape: { kind: 'list', name: short }, points, offset: 0 });
     const isByPlace = placed.some(({ row }) => 'coordinates' in row.place);
     return isByPlace
@@ -212,7 +217,7 @@ export function placeList(session: Session, name: string, text: string): PlacedL
  *
  * @throws where a row is none, with its line, and nothing is changed.
  */
-export function addList(session: Session, name: string, text: string): Words {
+export function addList(session: Session, name: Words, text: string): Words {
   return placeList(session, name, text).add();
 }
 

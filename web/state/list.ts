@@ -59,7 +59,7 @@ export function isList(text: string): boolean {
  *
  * @throws where a row is none, with its line.
  */
-export function rowsOf(name: string, text: string, unit: LengthUnit): Row[] {
+export function rowsOf(name: Words, text: string, unit: LengthUnit): Row[] {
   const rows = rowsIn(text);
   const [, symbol] = UNIT.exec(rows[0]?.text ?? '') ?? [];
   const own = symbol ? inUnit(unit, symbol) : unit;

@@ -8,7 +8,7 @@ use crate::common;
 use std::ops::ControlFlow;
 
 use crate::common::truth::Random;
-use crate::common::{band, distance_from, solver, soup, square, surface};
+use crate::common::{band, distance_from, solver, solver_with, soup, square, surface};
 use glam::{DQuat, DVec3};
 use heatwalk::operator::Operators;
 use heatwalk::surface::Error as SurfaceError;
@@ -249,6 +249,17 @@ fn boundary_source_solves_the_freed_matrix() {
 /// What two surfaces built alike have in common of a distance: all but whose it is.
 fn fields(distance: &Distance) -> [VertexData<f64>; 2] {
     [distance.values.clone(), distance.heat().expect("heat").clone()]
+}
+
+#[test]
+fn without_a_boundary_all_conditions_are_the_same() {
+    let source = [Place::Vertex(VertexId(0))];
+    let answer = |boundary| {
+        let solver = solver_with(&shapes::icosphere(3), Parameters { boundary, ..Parameters::default() });
+        fields(&solver.distance(&source).expect("a source"))
+    };
+    assert_eq!(answer(Boundary::Neumann), answer(Boundary::Dirichlet));
+    assert_eq!(answer(Boundary::Neumann), answer(Boundary::Average));
 }
 
 #[test]

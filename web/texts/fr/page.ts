@@ -101,7 +101,7 @@ export const PAGE: Texts = {
   'unreachable · {0}': 'inaccessible · {0}',
   'costs {0} · {1}': 'coûte {0} · {1}',
   'costs {0}, {1} · {2}': 'coûte {0}, {1} · {2}',
-  '{0} · {1} of the diameter · {2}': '{0} · {1} du diamètre · {2}',
+  '{0} · {1} of the diagonal · {2}': '{0} · {1} de la diagonale · {2}',
   Source: 'Source',
   'Click sets the source': 'Un clic place la source',
   'Click adds a source ({0}); ctrl + click with any tool':
@@ -356,7 +356,10 @@ export const PAGE: Texts = {
     '{0} est pour les surfaces : à l’intérieur de tétraèdres, rien n’est peint.',
   'Use conjugate gradients': 'Utiliser le gradient conjugué',
   'Use one window': 'Utiliser une seule fenêtre',
+  'Its triangles are few: stripes, which are straight within each, are off in between; numbers are not.':
+    'Ses triangles sont peu nombreux : les rayures, droites dans chacun, sont décalées entre les sommets ; les nombres ne le sont pas.',
   '{0} was not opened: {1}': '{0} n’a pas été ouvert : {1}',
+  '{0} was not filled: {1}': '{0} n’a pas été rempli : {1}',
   '{0} was not opened: it names no mesh; save the scene again':
     '{0} n’a pas été ouvert : il ne nomme aucun maillage ; enregistrez de nouveau la scène',
   'This {0} is not the file the link was made with, so sources and walker may be in the wrong place.':

@@ -256,7 +256,7 @@ export const PANEL: Texts = {
   Cost: 'Coût',
   '{0} × as dear': '{0} × plus cher',
   Size: 'Taille',
-  '{0} % of the diameter': '{0} % du diamètre',
+  '{0} % of the diagonal': '{0} % de la diagonale',
   '[ and ] change it': '[ et ] la changent',
   'Soft edge': 'Bord doux',
   'Paints all of it': 'Peint toute la surface',
@@ -311,8 +311,8 @@ export const PANEL: Texts = {
   'Fill anew': 'Remplir de nouveau',
   '{0} with dihedral angles from {1}° to {2}°, made in {3}; volume {4}.':
     '{0} aux angles dièdres de {1}° à {2}°, faits en {3} ; volume {4}.',
-  'Their boundary is within {0} of the diagonal of the surface.':
-    'Leur bord est à moins de {0} de la diagonale de la surface.',
+  'Their boundary is within {0} of the diagonal of the surface; its sharp corners may be cut by more.':
+    'Leur bord est à moins de {0} de la diagonale de la surface ; ses coins vifs peuvent être coupés davantage.',
   Tapes: 'Mètres rubans',
   'Mark places to measure between them': 'Marquez des points pour mesurer entre eux',
   'Mark two places or more. The last one again, or Esc, ends the tape; the first one, or a double click, closes it.':
@@ -331,7 +331,7 @@ export const PANEL: Texts = {
   Boundaries: 'Bords',
   'Euler characteristic': 'Caractéristique d’Euler',
   'Mean edge': 'Arête moyenne',
-  Diameter: 'Diamètre',
+  Diagonal: 'Diagonale',
   'Maximum distance': 'Distance maximale',
   'Exact vertices': 'Sommets exacts',
   'Mean error before refinement': 'Erreur moyenne avant raffinement',
@@ -554,6 +554,14 @@ export const PANEL: Texts = {
   'The surface is closed.': 'La surface est fermée.',
   'Nothing touches or is linked.': 'Rien ne se touche ni n’est relié.',
   'Isolines are on surfaces alone.': 'Les isolignes ne sont que sur des surfaces.',
+  'Where costs differ no distance is exact, and the error is not known.':
+    'Où les coûts diffèrent, aucune distance n’est exacte, et l’erreur n’est pas connue.',
+  'The error is known once all distances are exact: switch "Refine to exact" on, by the heat method.':
+    'L’erreur est connue une fois toutes les distances exactes : activez « Raffiner jusqu’à l’exact », par la méthode de la chaleur.',
+  'For hours, choose the unit of the file by "Correct unit".':
+    'Pour des heures, choisissez l’unité du fichier par « Corriger l’unité ».',
+  'The file has one mesh, in the pose that is shown, without names of parts, bones and animations.':
+    'Le fichier a un seul maillage, dans la pose affichée, sans noms de pièces, os ni animations.',
   'There are no stripes.': 'Il n’y a pas de rayures.',
   'The stripes have no relief.': 'Les rayures n’ont pas de relief.',
   'Stripes and surface glow alike.': 'Bandes et surface luisent autant.',

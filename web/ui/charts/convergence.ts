@@ -88,7 +88,10 @@ export function convergenceStudy(session: Session): HTMLElement {
     element.hidden = !opened || opened.interior !== null;
     const canBeSplit = opened !== null && levelsOf(opened.surface.triangles.length / 3) > 1;
     [most.hidden, button.hidden] = [canBeSplit, !canBeSplit];
-    if (opened === measured || !measured) return;
+    if (opened !== measured) forget();
+  };
+  const forget = () => {
+    if (!measured) return;
     cancel();
     [levels.length, measured, saving.hidden] = [0, null, true];
     charts.replaceChildren();
@@ -96,6 +99,8 @@ export function convergenceStudy(session: Session): HTMLElement {
   };
   session.shown.watch(follow);
   session.scene.subscribe((state, previous) => {
+    const { parameters, sources, sets } = state;
+    if (parameters !== previous.parameters || sources !== previous.sources || sets !== previous.sets) forget();
     if (!isSameUnit(state, previous) && levels.length > 0) draw();
   });
   follow();

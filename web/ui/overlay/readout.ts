@@ -113,5 +113,5 @@ function readoutText({ scene, shown }: Session, point: MeshPoint, best: ModelLen
     const time = ground.slope ? hikingWords(shownDistance, unitOf(scene.state, opened)) : null;
     return time ? t`costs ${about}, ${time} · ${vertex}` : t`costs ${about} · ${vertex}`;
   }
-  return t`${about} · ${percent(distance / places.diameter)} of the diameter · ${vertex}`;
+  return t`${about} · ${percent(distance / places.diameter)} of the diagonal · ${vertex}`;
 }

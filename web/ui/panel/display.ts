@@ -1,13 +1,13 @@
 import type { Session } from '../../session/session';
 import type { Shown } from '../../session/prepare';
 import type { Signal } from '../../state/signal';
-import { LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from '../../state/scene';
+import { isRefined, LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from '../../state/scene';
 import { AUTOMATIC, UP, type Up, VERTEX_FIELD, type VertexField } from '../../wasm/contract';
 import { available } from '../../session/overlays';
 import { attribute, h, labelled, radios, reason, say, select, slider, toggle } from '../dom';
 import { calmly } from './calm';
 import { KEYS, withKey } from '../keys';
-import { hasWalls } from '../../state/ground';
+import { hasCosts, hasWalls } from '../../state/ground';
 import { finePercent } from '../words';
 import { tells } from '../../state/styles';
 import { count, sentences, t, type Words } from '../../texts';
@@ -173,12 +173,20 @@ function walkersAt(step: number): number {
   return Math.round(LARGEST_CROWD * (step / CROWD_STEPS) ** 2);
 }
 
+function whyNoError({ scene, shown }: Session): Words {
+  if (shown.value && hasCosts(shown.value.answer.question.ground))
+    return t('Where costs differ no distance is exact, and the error is not known.');
+  return isRefined(scene.state)
+    ? t('The error is known once all distances are exact.')
+    : t('The error is known once all distances are exact: switch "Refine to exact" on, by the heat method.');
+}
+
 function legendOf(session: Session, { colorBy, method, style }: SceneState): Words {
   const error = session.shown.value?.answer.field?.error;
   if (method !== 'heat' && OF_HEAT.colorBy.includes(colorBy))
     return t('Only the heat method has heat; distance is shown.');
   if (colorBy === 'distance') return '';
-  if (colorBy === 'error' && !error) return t('The error is known once all distances are exact.');
+  if (colorBy === 'error' && !error) return whyNoError(session);
   const scale =
     colorBy === 'heat' || !error
       ? t('Log scale, from the hottest vertex to the coldest.')

@@ -65,6 +65,9 @@ const TEXT_OF = { command: commandLines, python: pythonLines, rust: rustLines };
 /** Isolines in numbers, and files of curves, distances and paths. */
 export function exportSection(session: Session): HTMLElement {
   const said = h('p', { class: 'quiet', role: 'status' });
+  session.shown.watch((shown, previous) => {
+    if (shown?.answer !== previous?.answer) say(said, '');
+  });
   /** Disables a button while its work is under way, and tells why it failed. */
   const action: Action = (name, title, work) => {
     // It changes nothing, so that the search may do it at once.
@@ -118,8 +121,7 @@ function asked(session: Session): Engine {
 
 /** The same where that is on a surface. */
 function measured(session: Session): Engine {
-  if (session.shown.value?.opened.interior)
-    throw new Failure(OF_SURFACES);
+  if (session.shown.value?.opened.interior) throw new Failure(OF_SURFACES);
   return asked(session);
 }
 
@@ -288,6 +290,9 @@ function distanceControls(session: Session, action: Action): HTMLElement[] {
       : kind !== STRIPES && (await engine.queries.distanceFile(kind, unitOfFile(kind, unit)));
     if (!bytes) return saveStripes(session, unit);
     save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.distances.${isInside() ? innerKind : kind}`);
+    const { clips, parts } = session.shown.value?.opened ?? { clips: [], parts: [] };
+    if (kind === 'glb' && !isInside() && clips.length + parts.length > 1)
+      return t('The file has one mesh, in the pose that is shown, without names of parts, bones and animations.');
   };
   const title = t('One for each vertex of the file, in the unit that is shown; GLB files are in meters');
   return [file.element, innerFile.element, action(t('Save distances'), title, work)];
@@ -349,6 +354,10 @@ function reproduceControls(session: Session, action: Action): HTMLElement[] {
     field.select();
     return t('The clipboard is not available. Copy the lines from the field.');
   };
+  // They would be of distances before.
+  session.shown.watch((shown, previous) => {
+    if (shown?.answer !== previous?.answer) field.hidden = true;
+  });
   return [lines.element, action(t('Copy lines'), t('Lines that give the present distances again'), work), field];
 }
 

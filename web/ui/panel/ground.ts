@@ -5,7 +5,7 @@ import type { Session } from '../../session/session';
 import { colourOfCost, WALL_COLOURS } from '../../session/tints';
 import { type GroundTool, type Material, MATERIAL_COSTS, MATERIALS, RADII, TOOLS } from '../../state/brush';
 import { codeOf, COSTS, costOf, isPainted, isWeighted } from '../../state/ground';
-import { isSameUnit, type LengthUnit, unitOf } from '../../length';
+import { isKnown, isSameUnit, type LengthUnit, unitOf } from '../../length';
 import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
 import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
@@ -92,7 +92,7 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
     min: 0,
     max: SIZE_STEPS,
     step: 1,
-    describe: (step) => t`${threeDigits(100 * radiusAt(step))} % of the diameter`,
+    describe: (step) => t`${threeDigits(100 * radiusAt(step))} % of the diagonal`,
     change: (step) => editor.set({ radius: radiusAt(step) }),
   });
   attribute(size.element, 'title', t('[ and ] change it'));
@@ -159,10 +159,15 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
     const { ground } = scene.state;
     slope.show(ground.slope);
     slopeHint.hidden = !ground.slope;
-    const up = session.shown.value?.opened.drawTransform.up.toUpperCase().replace('-', '−') ?? '';
+    const opened = session.shown.value?.opened;
+    const hasHours = opened !== undefined && isKnown(unitOf(scene.state, opened));
+    const up = opened?.drawTransform.up.toUpperCase().replace('-', '−') ?? '';
     say(
       slopeHint,
-      t`Steep ground costs what Tobler’s hiking function says, as the mean of uphill and downhill. Up is ${up}.`,
+      sentences(
+        t`Steep ground costs what Tobler’s hiking function says, as the mean of uphill and downhill. Up is ${up}.`,
+        hasHours ? null : t('For hours, choose the unit of the file by "Correct unit".'),
+      ),
     );
     height.show(Math.log2(ground.highest));
     clear.disabled = !isPainted(ground);

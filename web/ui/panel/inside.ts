@@ -145,7 +145,7 @@ export function insideSection(session: Session, opener: Opener): HTMLElement {
 function reportOf({ opened, places }: Shown, unit: LengthUnit, isFile: boolean): Words {
   if (!opened.interior) return EMPTY;
   const { report, madeMs } = opened.interior;
-  const deviation = t`Their boundary is within ${finePercent(report.deviation / places.diameter)} of the diagonal of the surface.`;
+  const deviation = t`Their boundary is within ${finePercent(report.deviation / places.diameter)} of the diagonal of the surface; its sharp corners may be cut by more.`;
   return sentences(
     t`${tetrahedraWords(report)} with dihedral angles from ${tenths(report.leastAngle)}° to ${tenths(report.largestAngle)}°, made in ${seconds(madeMs)}; volume ${volume(report.volume, unit)}.`,
     report.isFilled ? deviation : null,

@@ -58,7 +58,7 @@ function figures({ opened, answer, places }: Shown, unit: LengthUnit): [Words, W
     [t('Boundaries'), count(report.boundaryLoops)],
     [t('Euler characteristic'), count(report.eulerCharacteristic)],
     [t('Mean edge'), measure(opened.meanEdge, unit)],
-    [t('Diameter'), measure(places.diameter, unit)],
+    [t('Diagonal'), measure(places.diameter, unit)],
     [
       hasCosts(answer.question.ground) ? t('Greatest cost') : t('Maximum distance'),
       field ? measure(field.maxDistance, unit) : '–',

@@ -68,7 +68,7 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
         import('../../state/list'),
       ]);
       // A list is one of several lines, and its name stays with it.
-      tell(addList(session, String(isOneLine(text) ? t('What was typed') : t('List')), text));
+      tell(addList(session, isOneLine(text) ? t('What was typed') : t('List'), text));
       field.value = '';
     } catch (error) {
       tell(sentenceOf(error));

@@ -178,7 +178,8 @@ function colours(session: Session, change: Change): Part {
   const own = h('label', { class: 'field' }, h('span', {}, t('Stripe color')), colour);
   return {
     element: h('div', { class: 'stack' }, surface.element, blend.element, stripes.element, own),
-    show: ({ surfaceOf, blend: chosen, ramp, stripe }) => {
+    show: ({ pattern, surfaceOf, blend: chosen, ramp, stripe }) => {
+      reason(stripes.element, pattern === 'none' ? NO_STRIPES : null);
       const hasMaterials = Boolean(session.shown.value?.opened.appearance);
       const isOfFile = surfaceOf === 'file' && hasMaterials;
       surface.show(isOfFile ? OF_FILE : ramp);
@@ -191,6 +192,8 @@ function colours(session: Session, change: Change): Part {
     },
   };
 }
+
+const NO_STRIPES = t('There are no stripes.');
 
 const BLEND_WORDS: Record<Blend, Words> = {
   contrast: t('over, standing out'),
@@ -258,7 +261,7 @@ function materials(current: () => Style, change: Change): Part {
 /** Why a map of the stripes shows nothing; null: it shows something. */
 function whyNothing(map: MapName, { pattern, relief, surface, stripes }: Style): Words | null {
   const isSame = (key: keyof Finish) => surface[key] === stripes[key];
-  if (pattern === 'none') return t('There are no stripes.');
+  if (pattern === 'none') return NO_STRIPES;
   if (map === 'normal' && (pattern !== 'bands' || relief === 0)) return t('The stripes have no relief.');
   if (map === 'emission' && isSame('glow')) return t('Stripes and surface glow alike.');
   if (map === 'specular' && isSame('metalness') && isSame('roughness')) return t('Stripes and surface shine alike.');

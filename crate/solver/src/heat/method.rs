@@ -190,8 +190,10 @@ impl<D: HeatDiscretization> HeatMethod<D> {
         self.field_with(self.options)
     }
 
+    /// Where no vertex can be cold, all boundary conditions are one.
     fn field_with(&self, options: FactorOptions) -> Field {
-        Field::of(options, self.discretization().has_logarithm())
+        let boundary = if self.dirichlet.is_some() { options.boundary } else { Boundary::Neumann };
+        Field::of(FactorOptions { boundary, ..options }, self.discretization().has_logarithm())
     }
 
     /// The diffusion time t, in the unit of the lengths, squared: m h², or more on long meshes, where heat would underflow.

@@ -325,6 +325,8 @@ impl<'a> Search<'a> {
     }
 
     /// Notes whether a triangle of a component told a large one of a group anything.
+    // Inlined, it would make the page's module larger.
+    #[inline(never)]
     fn count(&mut self, group: &[Item], own: usize, component: u32, is_telling: bool) {
         if is_telling && self.slots[component as usize] == NONE {
             return;
