@@ -102,7 +102,9 @@ test('the error is shown once it is known', { tag: '@page' }, async ({ heatwalk,
   await heatwalk.open('#v=1&m=bunny&refine=0');
   await openSection(page, 'display');
   await page.getByLabel('Color by').selectOption('unrefined error');
-  await expect(page.getByText(/^The error is known once all distances are exact: switch "Refine to exact" on/)).toBeVisible();
+  await expect(
+    page.getByText(/^The error is known once all distances are exact: switch "Refine to exact" on/),
+  ).toBeVisible();
   await heatwalk.open('#v=1&m=bunny&paint=error');
   await openSection(page, 'display');
   await heatwalk.settled();

@@ -291,7 +291,9 @@ test('what has no inside says so, and the scene stays', async ({ heatwalk, page 
   await heatwalk.settled();
   await page.locator('.stage').focus();
   await page.keyboard.press('i');
-  await expect(page.locator('.message').first()).toContainText('does not enclose a volume: it has a hole of 32 edges');
+  await expect(page.locator('.message').first()).toContainText(
+    'was not filled: the surface does not enclose a volume: it has a hole of 32 edges',
+  );
   expect((await heatwalk.mesh()).name).toBe('grid.off');
   expect((await heatwalk.scene()).fill).toBeNull();
   expect(await heatwalk.distanceAt({ vertex: 3 })).toBe(0);

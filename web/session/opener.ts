@@ -351,7 +351,7 @@ export class Opener {
           run: () => void this.#open({ ...request, state: lighter.state }, done),
         };
         const why = messageOf(error);
-        const isFilling = request.state.fill !== null && this.#session.shown.value?.opened.name === request.title;
+        const isFilling = request.state.fill !== null && request.state.mesh === this.#session.scene.state.mesh;
         const failure = isFilling
           ? t`${request.title} was not filled: ${why}`
           : t`${request.title} was not opened: ${why}`;
