@@ -33,6 +33,10 @@ pub enum Command {
     Path(Path),
     /// Curves of equal distance, and the surface cut along them
     Isolines(Isolines),
+    /// Spread samples over a surface, each as far from those before it as may be
+    Sample(Sample),
+    /// Walk straight on over the surface, from a place in a direction
+    Walk(Walk),
     /// Fill a closed surface with tetrahedra
     Fill(Fill),
     /// Time both linear solvers of the heat method on each mesh
@@ -226,6 +230,54 @@ pub struct Path {
 }
 
 #[derive(Args)]
+#[command(group = ArgGroup::new("turned").multiple(true))]
+#[command(group = ArgGroup::new("many").required(true))]
+pub struct Sample {
+    #[command(flatten)]
+    pub mesh: Mesh,
+    #[command(flatten)]
+    pub bridging: Bridging,
+    /// So many samples, or as many as there are vertices
+    #[arg(long, value_name = "N", group = "many", value_parser = at_least_one)]
+    pub count: Option<usize>,
+    /// As many as it takes until no vertex is farther than this from one; no two are nearer to each other
+    #[arg(long, value_name = "R", group = "many", value_parser = positive, allow_negative_numbers = true)]
+    pub radius: Option<f64>,
+    /// Begin with a vertex at random, the same for the same number; without it with the first one
+    #[arg(long, value_name = "S")]
+    pub seed: Option<u64>,
+    /// Write vertices and their positions to a .csv file
+    #[arg(long, value_name = "FILE", group = "turned")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub axis: UpAxis,
+}
+
+#[derive(Args)]
+#[command(group = ArgGroup::new("turned").multiple(true))]
+pub struct Walk {
+    #[command(flatten)]
+    pub mesh: Mesh,
+    /// Where it begins: a vertex V, or a place F:b0,b1,b2 in a triangle
+    #[arg(long, value_name = "P")]
+    pub from: Place,
+    /// The direction there, of any length; its part along the surface counts
+    #[arg(long, value_name = "X,Y,Z", value_parser = direction, allow_hyphen_values = true)]
+    pub direction: DVec3,
+    /// How far, in the unit of the mesh
+    #[arg(long, value_name = "L", value_parser = positive, allow_negative_numbers = true)]
+    pub length: f64,
+    /// The triangle at the place that the direction is projected to; without it, that which agrees with it best
+    #[arg(long, value_name = "F")]
+    pub triangle: Option<usize>,
+    /// Write the points to an .obj or .csv file
+    #[arg(long, value_name = "FILE", group = "turned")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub axis: UpAxis,
+}
+
+#[derive(Args)]
 pub struct Fill {
     #[command(flatten)]
     pub mesh: Mesh,
@@ -324,6 +376,12 @@ fn direction(text: &str) -> Result<DVec3, String> {
     direction.ok_or_else(|| "give a direction as three numbers, such as 0,0,1".to_owned())
 }
 
+/// A number of things, one at least.
+fn at_least_one(text: &str) -> Result<usize, String> {
+    let number = text.parse().ok().filter(|&number| number > 0);
+    number.ok_or_else(|| "a number of at least 1 is needed".to_owned())
+}
+
 /// A positive number.
 fn positive(text: &str) -> Result<f64, String> {
     let number = text.parse().ok().filter(|&number: &f64| number > 0.0);
@@ -333,7 +391,7 @@ fn positive(text: &str) -> Result<f64, String> {
 /// The first paragraph of clap's message, on one line; the rest is its help.
 pub fn in_one_sentence(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "give a command: info, distance, path, isolines, fill or table; heatwalk --help tells more".to_owned();
+        return "give a command: info, distance, path, isolines, sample, walk, fill or table; heatwalk --help tells more".to_owned();
     }
     let text = error.render().to_string();
     let paragraph = text.split("\n\n").next().unwrap_or_default();

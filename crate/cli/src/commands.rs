@@ -14,9 +14,11 @@ use crate::input::Input;
 use crate::isolines::isolines;
 use crate::path::path;
 use crate::report::Report;
+use crate::sample::sample;
 use crate::table::table;
 use crate::timing::{build, join};
 use crate::volume;
+use crate::walk::walk;
 
 pub fn run(command: &Command) -> Result<Answer> {
     match command {
@@ -25,6 +27,8 @@ pub fn run(command: &Command) -> Result<Answer> {
         Command::Path(arguments) => path(arguments).map(Answer::from),
         Command::Isolines(arguments) => isolines(arguments).map(Answer::from),
         Command::Fill(arguments) => fill(arguments).map(Answer::from),
+        Command::Sample(arguments) => sample(arguments).map(Answer::from),
+        Command::Walk(arguments) => walk(arguments).map(Answer::from),
         Command::Table(arguments) => Ok(table(arguments)),
     }
 }

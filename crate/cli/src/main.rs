@@ -18,10 +18,12 @@ mod path;
 mod place;
 mod question;
 mod report;
+mod sample;
 mod sentence;
 mod table;
 mod timing;
 mod volume;
+mod walk;
 
 use std::io::{self, Write};
 use std::process::ExitCode;

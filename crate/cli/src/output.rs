@@ -40,6 +40,10 @@ pub enum PathFormat {
     Csv,
 }
 
+/// Places, one a row.
+#[derive(Clone, Copy)]
+pub struct PlacesCsv;
+
 #[derive(Clone, Copy)]
 pub enum FillFormat {
     Msh,
@@ -136,6 +140,23 @@ impl Output<PathFormat> {
                 text.into_bytes()
             }
         })
+    }
+}
+
+impl Output<PlacesCsv> {
+    pub fn places(path: &Path) -> Result<Self> {
+        Self::by_extension(path, "places", &[("csv", PlacesCsv)])
+    }
+
+    /// Each by how it is written, and its position.
+    pub fn write(&self, places: impl Iterator<Item = (usize, DVec3)>, up: Up) -> Result<()> {
+        let mut text = String::from("place,x,y,z\n");
+        for (place, position) in places {
+            let DVec3 { x, y, z } = up.turned(position);
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "{place},{x:.16e},{y:.16e},{z:.16e}");
+        }
+        self.save(text.as_bytes())
     }
 }
 

@@ -1,10 +1,13 @@
 //! Places on the surface, as they are written on the command line.
 
+use std::fmt;
 use std::str::FromStr;
 
 use anyhow::{Context, Result, bail, ensure};
 use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{Element, InputTriangle, InputVertex, Soup, Source, Surface, SurfacePoint, VertexId, edge_polyline};
+use heatwalk::{
+    Element, FaceId, InputTriangle, InputVertex, Soup, Source, Surface, SurfacePoint, VertexId, edge_polyline,
+};
 
 /// A vertex `V`, or a place `F:b0,b1,b2` in a triangle or `T:b0,b1,b2,b3` in a tetrahedron, counted as in the file.
 #[derive(Debug, Clone, Copy)]
@@ -55,6 +58,17 @@ impl FromStr for Place {
     }
 }
 
+impl fmt::Display for Place {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let written = |weights: &[f64]| weights.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
+        match self {
+            Self::Vertex(vertex) => write!(formatter, "{vertex}"),
+            Self::Triangle { triangle, weights } => write!(formatter, "{triangle}:{}", written(weights)),
+            Self::Tetrahedron { tetrahedron, weights } => write!(formatter, "{tetrahedron}:{}", written(weights)),
+        }
+    }
+}
+
 impl FromStr for SourcePlace {
     type Err = String;
 
@@ -93,6 +107,21 @@ impl Place {
             Self::Tetrahedron { .. } => bail!("four weights are for tetrahedra; a place in a triangle has three"),
             Self::Vertex(_) | Self::Triangle { .. } => Ok(()),
         }
+    }
+
+    /// A place of the surface that is on this face, counted as in the file.
+    pub fn of(place: heatwalk::Place, face: FaceId, soup: &Soup, surface: &Surface) -> Self {
+        if let heatwalk::Place::Vertex(vertex) = place {
+            return Self::Vertex(surface.inputs_of_vertex(vertex)[0].index());
+        }
+        let triangle = surface.triangle_of_face(face).index();
+        let (inputs, weights) = (surface.inputs_of_face(face), place.weights_in(surface, face));
+        let weight_of = |corner: u32| {
+            let k = inputs.iter().position(|input| input.0 == corner);
+            // Without the sign of a zero.
+            k.map_or(0.0, |k| weights[k]) + 0.0
+        };
+        Self::Triangle { triangle, weights: soup.triangles[triangle].map(weight_of) }
     }
 
     /// The point of the surface, after [`Place::check`].

@@ -64,8 +64,8 @@ impl Sheet {
         strips
     }
 
-    /// A smaller spacing by which no strip is left out; none where one vertex is curved too much for any, or where it was not
-    /// found in [`SPACINGS_TRIED`].
+    /// A smaller spacing by which no strip is left out; none where one vertex is curved too much for any, or where none was
+    /// found soon.
     pub fn flat_spacing(&self, field: &Field, strips: &Strips) -> Option<f64> {
         if self.left_out.iter().any(NotDevelopable::is_by_one_vertex) {
             return None;

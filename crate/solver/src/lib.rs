@@ -69,6 +69,7 @@ pub mod propagation;
 mod refinement;
 mod relief;
 mod room;
+mod sampling;
 pub mod solver;
 
 /// Linear algebra, which knows no surface.
@@ -98,6 +99,7 @@ pub use path::{Enclosed, PathSearch, Straightest, descend, enclosed, refract, st
 pub use propagation::{Carriers, ExactSearch, Propagation, PropagationOptions, Windows};
 pub use refinement::PropagationRefinement;
 pub use relief::Relief;
+pub use sampling::{SampleCount, Samples, farthest_samples};
 pub use solver::{Answer, DistanceOptions, DistanceSolver, Joined, Solution};
 
 #[cfg(doctest)]

@@ -26,6 +26,7 @@ mod propagation;
 mod properties;
 mod refinement;
 mod refract;
+mod sampling;
 mod session;
 mod solver;
 mod sources;

@@ -10,10 +10,12 @@ mod joining;
 mod method;
 mod options;
 mod paths;
+mod samples;
 mod sources;
 mod table;
 mod usage;
 mod volume;
+mod walks;
 
 use std::fs;
 use std::path::{Path, PathBuf};
