@@ -58,6 +58,7 @@ export const OPTIONS: Texts = {
   '{0} at vertex {1}, and out of range at {2} more': '{0} au sommet {1}, et hors limites à {2} autres',
   // Ranges.
   '0 or more': 'au moins 0',
+  '1 or more': '1 ou plus',
   '0 or more, and finite': 'un nombre fini, au moins 0',
   '0 s or more, and finite': 'un nombre fini, au moins 0 s',
   'positive and finite': 'un nombre positif et fini',
