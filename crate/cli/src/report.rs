@@ -164,6 +164,10 @@ impl Report {
                 }),
                 // Those have been told on standard error.
                 Value::Array(_) if name == "warnings" => Ok(()),
+                Value::Array(numbers) if name == "end" || name == "direction" => {
+                    let numbers: Vec<String> = numbers.iter().map(Value::to_string).collect();
+                    writeln!(text, "{name:<22} {}", numbers.join(","))
+                }
                 // A path of a thousand points is for files and programs.
                 Value::Array(items) => writeln!(text, "{name:<22} {}", items.len()),
                 Value::Null if name == "unit" => writeln!(text, "{name:<22} none"),

@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::{Value, json};
 
-use crate::{flat, folder, json as answered, refused};
+use crate::{flat, folder, json as answered, refused, succeed};
 
 fn walked(folder: &std::path::Path, options: &[&str]) -> Value {
     answered(folder, &[&["walk"], options].concat())
@@ -27,6 +27,9 @@ fn on_a_plane_a_walk_is_a_straight_line_and_comes_back() {
     assert!((answer["length"].as_f64().unwrap() - 0.3).abs() < 1e-12);
     assert_eq!(answer["at_boundary"], json!(false));
     assert!(fs::read_to_string(folder.join("walk.csv")).unwrap().starts_with("x,y,z\n"));
+    let told = succeed(&folder, &[&["walk"], &there[..]].concat());
+    let [x, y, z] = [0, 1, 2].map(|axis| &answer["end"][axis]);
+    assert!(told.contains(&format!("\nend                    {x},{y},{z}\n")), "{told}");
     // From where it ended, against the direction that it had there.
     let back: Vec<String> = numbers(&answer["direction"]).iter().map(|part| (-part).to_string()).collect();
     let place = answer["place"].as_str().unwrap();
