@@ -61,6 +61,28 @@ export interface MemoryBudget {
 
 export type DrawTransform = wasm.DrawTransform;
 export type DrawMesh = wasm.DrawMesh;
+/** Places on drawn triangles. */
+export interface TrianglePlaces {
+  /** #P. */
+  triangles: Uint32Array;
+  /** #P × 3. */
+  weights: Float64Array;
+}
+
+/** The surface as it is drawn; where it is coarse, also divided. */
+export type DrawnSurface = DrawMesh & { finer?: FinerMesh };
+
+/** A coarse surface divided, so that what is drawn within its triangles can follow the distance. */
+export interface FinerMesh {
+  /** The drawn vertices of the surface and after them the middles of edges; its triangles are parts of the surface's, in their order. */
+  mesh: DrawMesh;
+  /** #E × 2: the ends of the edges, each before its middle. */
+  middles: Uint32Array;
+  /** #T: the triangle of the surface that each is part of. */
+  origins: Uint32Array;
+  /** #T × 3 × 3: of each corner, the weights of the corners of that triangle there. */
+  weights: Float32Array;
+}
 export type Shade = wasm.Shade;
 export type Material = wasm.Material;
 export type BuildReport = WithLengths<wasm.BuildReport, 'crackWidth'>;
@@ -161,7 +183,7 @@ export interface OpenedMesh extends wasm.Contents {
   hash: string;
   /** Indices of the parts that form the surface. */
   active: number[];
-  surface: DrawMesh;
+  surface: DrawnSurface;
   /** Of the surface alone; null where there are other parts. */
   shade: Shade | null;
   /** Null where the file says nothing. */
@@ -195,6 +217,8 @@ export interface DistanceField extends WithLengths<
 > {
   /** #D × 4: the direction in which distance grows at each drawn vertex, 127 for a unit; the fourth number is 0. */
   tangents: Int8Array;
+  /** Where they are known, #D + #E: these distances and after them the exact ones at the middles of the finer mesh, and the largest of all. */
+  finer?: Pick<DistanceField, 'distance' | 'maxDistance'>;
   /** How far the field was off before it was refined; null until refining has made all of it exact. */
   error: FieldError | null;
   /** Of tetrahedra: one value a vertex of the input, Infinity where no source can be reached; null for a surface. */

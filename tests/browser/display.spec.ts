@@ -3,7 +3,8 @@ import fs from 'node:fs';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { obj, sphere } from '../fixtures';
-import { expect, type HeatwalkPage, openSection, SEEN, test } from '../page';
+import type { MeshPoint } from '../../web/protocol';
+import { brightness, expect, type HeatwalkPage, openSection, SEEN, test } from '../page';
 
 test.use(SEEN);
 
@@ -40,6 +41,37 @@ for (const look of ['zebra', 'gold', 'model']) {
     },
   );
 }
+
+test('stripes on large triangles are where the distance is', { tag: '@page' }, async ({ heatwalk, page }) => {
+  const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n';
+  const scene = 'up=y&s=0&w=none&cam=0,0,3.5,0,0,0&look=zebra&period=0.08';
+  await heatwalk.openFile('square.obj', square, scene);
+  await heatwalk.settled();
+  const period = 0.08 * Math.SQRT2;
+  /** The place so far from the source, in a direction. */
+  const placeOf = (radius: number, angle: number): MeshPoint => {
+    const [x, y] = [radius * Math.cos(angle), radius * Math.sin(angle)];
+    return y < x ? { face: 0, weights: [1 - x, x - y, y] } : { face: 1, weights: [1 - y, x, y - x] };
+  };
+  const pictured = async (phase: number) => {
+    const picture = await heatwalk.picture();
+    const values = [];
+    for (let degrees = 6; degrees < 90; degrees += 6) {
+      const place = placeOf(phase * period, (degrees * Math.PI) / 180);
+      expect(await page.evaluate((at) => window.heatwalk.exactDistanceAt(at), place)).toBeCloseTo(phase * period, 6);
+      const pixel = await heatwalk.pixelOf(place);
+      values.push(brightness(picture, ...pixel));
+      // Under the pointer is the triangle of the file.
+      const met = await page.evaluate(([x, y]) => window.heatwalk.placeAt(x, y), pixel);
+      const { face, weights } = met as { face: number; weights: number[] };
+      expect(face).toBe((place as { face: number }).face);
+      weights.forEach((weight, k) => expect(weight).toBeCloseTo((place as { weights: number[] }).weights[k], 1));
+    }
+    return values;
+  };
+  expect(Math.max(...(await pictured(6.5)))).toBeLessThan(0.2);
+  expect(Math.min(...(await pictured(7)))).toBeGreaterThan(0.5);
+});
 
 test(
   'overlays are switched on and off, and one gradient replaces the other',

@@ -222,9 +222,7 @@ test('opening says what a person wants, and the rest under details', async ({ he
   const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\nf 1 3 4\nf 1 3 4\n';
   await heatwalk.dropAndOpen([['square.obj', square]]);
   const summary = page.locator('.message.summary');
-  await expect(summary.locator('p')).toHaveText(
-    /^square\.obj, 2 triangles, in one piece\. Its triangles are few: stripes, /,
-  );
+  await expect(summary.locator('p')).toHaveText('square.obj, 2 triangles, in one piece.');
   await summary.getByText('Details').click();
   await expect(summary.getByRole('listitem')).toHaveText([
     '1 component, 1 boundary',

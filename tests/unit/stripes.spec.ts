@@ -3,6 +3,7 @@ import { PNG } from 'pngjs';
 import { MODEL } from '../../web/length';
 import { type Painted, stripesGlb } from '../../web/session/stripes';
 import { DEFAULT_STYLE, findStyle, type Style } from '../../web/state/styles';
+import { NO_MESH } from '../../web/view/layers';
 import { complaints } from '../gltf';
 
 const TRANSFORM = { center: [1, 2, 3] as [number, number, number], scale: 2, up: 'z' as const };
@@ -19,7 +20,8 @@ function painted(style: Style, period = 0.5): Painted {
     maxDistance: 1,
     byCorner: false,
   };
-  return { positions, normals, triangles, field, style, most: 1, period, offset: 0.25 };
+  const surface = { ...NO_MESH, positions, normals, triangles };
+  return { surface, pose: surface, field, style, most: 1, period, offset: 0.25 };
 }
 
 interface Document {
@@ -120,7 +122,10 @@ test('what light makes of stripes, and what they give off, are there too', async
 
 test('where walls part vertices each corner has its own distance', async () => {
   const whole = painted(DEFAULT_STYLE);
-  const distance = Float32Array.from(whole.triangles, (vertex, corner) => DISTANCES[vertex] + (corner === 3 ? 7 : 0));
+  const distance = Float32Array.from(
+    whole.surface.triangles,
+    (vertex, corner) => DISTANCES[vertex] + (corner === 3 ? 7 : 0),
+  );
   const glb = stripesGlb({ ...whole, field: { ...whole.field, distance, byCorner: true } }, TRANSFORM, MODEL, 'fan');
   expect(await complaints(glb)).toEqual([]);
   const { document, numbers } = read(glb);

@@ -146,9 +146,8 @@ export class Presenter {
   get painted(): Painted | null {
     const surface = this.#shown?.opened.surface;
     if (!surface || !this.#painted) return null;
-    const { positions, normals } = this.#posed?.surface ?? surface;
-    const { triangles } = surface;
-    return { positions, normals, triangles, field: this.#painted, style: this.#styleNow(), ...this.#view.painted };
+    const pose = this.#posed?.surface ?? surface;
+    return { surface, pose, field: this.#painted, style: this.#styleNow(), ...this.#view.painted };
   }
 
   #styleNow(): Style {

@@ -280,6 +280,7 @@ export class Session {
     };
     signal.addEventListener('abort', end);
     if (signal.aborted) end();
+    if (engine.opened.surface.finer) this.view.drawBy((await import('../view/finer')).drawingFiner);
     return engine;
   }
 

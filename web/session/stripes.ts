@@ -4,21 +4,21 @@
  * they are narrower than edges. Relief is left out: no tangents belong to coordinates that are along one line.
  */
 import { zlibSync } from 'fflate';
-import type { DrawTransform } from '../protocol';
+import type { DrawnSurface, DrawPose, DrawTransform } from '../protocol';
 import type { LengthUnit } from '../length';
 import { entry } from '../state/entry';
 import { rampBytes, stripeFinish, type Style, WIDEST_LINE } from '../state/styles';
 import { type Vector, vectorAt } from '../state/vector';
+import { posed } from '../view/finer';
 import type { ShownField } from '../view/layers';
 import { GlbFile, joined } from './glb';
 import { filePlace } from './nearest';
 
 /** What is painted, and how. */
 export interface Painted {
-  /** #D × 3 each, as they are drawn; `triangles` #F × 3. */
-  positions: Float32Array;
-  normals: Float32Array;
-  triangles: Uint32Array;
+  surface: DrawnSurface;
+  /** As it stands. */
+  pose: DrawPose;
   field: ShownField;
   style: Style;
   /** The value that the last color is for. */
@@ -52,16 +52,16 @@ export function stripesGlb(
   name: string,
 ): Uint8Array<ArrayBuffer> {
   const { field, style } = painted;
-  const corners = painted.triangles;
+  const { pose, triangles: corners, distances } = asDrawn(painted);
   // Where walls part vertices, each corner is a vertex of its own.
-  const vertexOf = field.byCorner ? corners : Uint32Array.from({ length: painted.positions.length / 3 }, (_, i) => i);
+  const vertexOf = field.byCorner ? corners : Uint32Array.from(distances.keys());
   const turn: DrawTransform = { ...transform, center: [0, 0, 0], scale: 1 };
   const rows = (place: (vertex: number) => readonly number[]) => Float32Array.from(Array.from(vertexOf, place).flat());
   const positions = rows((vertex) =>
-    filePlace(vectorAt(painted.positions, vertex), transform).map((value) => scale * value),
+    filePlace(vectorAt(pose.positions, vertex), transform).map((value) => scale * value),
   );
-  const normals = rows((vertex) => filePlace(vectorAt(painted.normals, vertex), turn));
-  const coordinates = Float32Array.from(Array.from(field.distance, (value) => placeOf(value, painted)).flat());
+  const normals = rows((vertex) => filePlace(vectorAt(pose.normals, vertex), turn));
+  const coordinates = Float32Array.from(Array.from(distances, (value) => placeOf(value, painted)).flat());
 
   const file = new GlbFile();
   const attributes = {
@@ -72,7 +72,7 @@ export function stripesGlb(
   const [reached, unreached]: [number[], number[]] = [[], []];
   for (let first = 0; first < corners.length; first += 3) {
     const triangle = [0, 1, 2].map((k) => (field.byCorner ? first + k : entry(corners, first + k)));
-    const isReached = triangle.every((vertex) => Number.isFinite(entry(field.distance, vertex)));
+    const isReached = triangle.every((vertex) => Number.isFinite(entry(distances, vertex)));
     (isReached ? reached : unreached).push(...triangle);
   }
   const primitives = [reached, unreached].flatMap((triangles, material) =>
@@ -86,6 +86,18 @@ export function stripesGlb(
     meshes: [{ primitives }],
     materials: unreached.length > 0 ? materials : materials.slice(0, 1),
   });
+}
+
+/** The triangles with a distance at each vertex, or corner: those that are drawn where the surface is coarse. */
+function asDrawn({ surface, pose, field }: Painted): {
+  pose: DrawPose;
+  triangles: Uint32Array;
+  distances: Float32Array;
+} {
+  const { finer } = surface;
+  if (!finer || !field.finer) return { pose, triangles: surface.triangles, distances: field.distance };
+  const [positions, normals] = posed(finer, pose.positions, pose.normals);
+  return { pose: { positions, normals }, triangles: finer.mesh.triangles, distances: field.finer.distance };
 }
 
 /** Where a distance is in the textures. */

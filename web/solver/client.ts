@@ -4,7 +4,7 @@
  * terminates its worker and touches nothing else.
  */
 import { proxy } from 'comlink';
-import type { MeshInput, OpenedMesh, Parameters, ProgressListener, MemoryBudget } from '../protocol';
+import type { DrawMesh, MeshInput, OpenedMesh, Parameters, ProgressListener, MemoryBudget } from '../protocol';
 import type { AUTOMATIC, Up } from '../wasm/contract';
 import wasmAddress from '../wasm/solver/heatwalk_worker_bg.wasm?url';
 import { Engine } from './engine';
@@ -24,6 +24,11 @@ export interface Wanted {
   /** What the surface encloses is filled with about this number of tetrahedra; null: with none. */
   fill: number | null;
 }
+
+/** Edges of coarse surfaces are drawn longer, where a model reaches from −1 to 1. */
+const COARSE = 0.25;
+/** The most triangles that are divided. */
+const MOST_DIVIDED = 20_000;
 
 export class SolverClient {
   #spare: SolverWorker | null = null;
@@ -51,6 +56,11 @@ export class SolverClient {
     try {
       const input = handedOver(await worker.during(load()));
       const opened = await worker.api.open(input, [...parts], budget, proxy(progress), up, triangles, fill);
+      if (!opened.interior && isCoarse(opened.surface)) {
+        const { finer, places } = (await import('./finer')).divided(opened.surface);
+        opened.surface.finer = finer;
+        await worker.api.drawBetween(handedOver(places));
+      }
       const preparing = worker.api.prepare(parameters, proxy(progress));
       const telling = (async () => built(opened))();
       const [factoring] = await Promise.all([preparing, telling]);
@@ -82,6 +92,16 @@ export class SolverClient {
     void spare.lost.then(forget);
     spare.api.warmUp().catch(forget);
   }
+}
+
+/** Whether some of not so many triangles have an edge so long that stripes on it would be seen to be chords. */
+function isCoarse({ positions, triangles }: DrawMesh): boolean {
+  if (triangles.length > 3 * MOST_DIVIDED) return false;
+  const at = (corner: number, axis: number) => positions[3 * (triangles[corner] ?? 0) + axis] ?? 0;
+  return triangles.some((_, i) => {
+    const next = i % 3 < 2 ? i + 1 : i - 2;
+    return Math.hypot(...[0, 1, 2].map((axis) => at(next, axis) - at(i, axis))) > COARSE;
+  });
 }
 
 /** All workers share one, and with it the code that the browser has optimised so far. */

@@ -101,21 +101,13 @@ function componentsWords(components: number): Words {
   return counted(components, '{0} component', '{0} components');
 }
 
-/** With more triangles, stripes are seen where distances are. */
-const COARSE = 200;
-
 /** What is opened, in the sentence that a person wants: "Dragon, 46,540 triangles, in one piece."; and what may be otherwise than it is meant. */
 export function openingSentence(title: Words, opened: OpenedMesh, factoring: Factoring, unit: LengthUnit): Words {
   const { report, interior } = opened;
   const pieces = piecesOf(interior?.report ?? report, factoring);
   const what = counted(pieces, '{1}, {2}, in one piece.', '{1}, {2}, in {0} pieces.', title, sizeWords(opened));
   if (interior) return what;
-  return sentences(what, ...joinedSentences(factoring, unit), simplifiedSentence(opened, unit), coarseSentence(opened));
-}
-
-function coarseSentence({ report }: OpenedMesh): Words | null {
-  if (report.faces > COARSE) return null;
-  return t('Its triangles are few: stripes, which are straight within each, are off in between; numbers are not.');
+  return sentences(what, ...joinedSentences(factoring, unit), simplifiedSentence(opened, unit));
 }
 
 /** Components, of which those that are joined are one. */

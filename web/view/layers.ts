@@ -3,7 +3,7 @@ import type { Appearance, DistanceField, InnerView } from '../protocol';
 import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
 
 /** What is painted: values of drawn vertices and where they grow, as in a `DistanceField`. */
-export type ShownField = Pick<DistanceField, 'distance' | 'tangents' | 'byCorner'> & { maxDistance: number };
+export type ShownField = Pick<DistanceField, 'distance' | 'tangents' | 'byCorner' | 'finer'> & { maxDistance: number };
 
 /** Segments, #E × 2 × 3, their CSS colour, and their width in CSS pixels, a thin line's when left out. */
 export interface Edges {
@@ -87,7 +87,12 @@ export const NO_MESH = {
   runs: new Uint32Array(),
 };
 export const NO_APPEARANCE: Appearance = { materials: [], images: [] };
-export const NO_FIELD = { distance: new Float32Array(), tangents: new Int8Array(), maxDistance: 0, byCorner: false };
+export const NO_FIELD: ShownField = {
+  distance: new Float32Array(),
+  tangents: new Int8Array(),
+  maxDistance: 0,
+  byCorner: false,
+};
 export const NO_ARROWS: InnerView['arrows'] = { places: new Float32Array(), vectors: new Float32Array() };
 export function emptyPicture(): Picture {
   return { layers: new Map(), stride: 1, edges: NO_EDGES, fields: NO_FIELDS, inside: null, otherInside: null };

@@ -29,6 +29,8 @@ export abstract class Screen {
   readonly #traps = new Traps();
   #canvas: HTMLCanvasElement;
   #viewer: Viewer | null = null;
+  /** What stands before it. */
+  #standIn = (viewer: Viewer): Viewer => viewer;
   #camera: Float64Array | null = null;
   #frameFirst = false;
   /** Of the stage, in device pixels and in CSS pixels. */
@@ -73,7 +75,7 @@ export abstract class Screen {
     this.#viewer = null;
     this.backend.value = null;
     try {
-      const viewer = await this.#open();
+      const viewer = this.#standIn(await this.#open());
       this.#fit(viewer);
       if (!this.replay(viewer)) return await this.start();
       if (this.#camera) viewer.set_camera(this.#camera);
@@ -85,6 +87,13 @@ export abstract class Screen {
     } catch (error) {
       this.trouble.value = messageOf(error);
     }
+  }
+
+  /** Draws by what stands before the renderer from now on. */
+  drawBy(standIn: (viewer: Viewer) => Viewer): void {
+    if (standIn === this.#standIn) return;
+    this.#standIn = standIn;
+    this.#viewer &&= standIn(this.#viewer);
   }
 
   async #open(): Promise<Viewer> {

@@ -1,6 +1,6 @@
 /** What is shown on the screen. It is kept, so that a renderer that was lost is made again with the scene intact. */
 import { Failure, toError } from '../error';
-import type { Appearance, DrawMesh, DrawPose, InnerView, MeshPoint, Shade, DrawPath } from '../protocol';
+import type { Appearance, DrawMesh, DrawnSurface, DrawPose, InnerView, MeshPoint, Shade, DrawPath } from '../protocol';
 import {
   parseColour,
   rampBytes,
@@ -103,7 +103,12 @@ export class View extends Screen {
   }
 
   /** `shade`: of the surface alone. If this throws, everything is shown as before. */
-  setMesh(surface: DrawMesh, shade: Shade | null, scenery: readonly DrawMesh[], appearance: Appearance | null): void {
+  setMesh(
+    surface: DrawnSurface,
+    shade: Shade | null,
+    scenery: readonly DrawMesh[],
+    appearance: Appearance | null,
+  ): void {
     const picture = this.#picture;
     const before = new Map(picture.layers);
     const { materials, images } = appearance ?? NO_APPEARANCE;
@@ -189,8 +194,8 @@ export class View extends Screen {
   /** Both in colors up to the larger of their largest values. */
   #showFields(fields: Fields): void {
     this.#picture.fields = fields;
-    const field = fields.field ?? NO_FIELD;
-    const other = (fields.field && fields.other) ?? NO_FIELD;
+    const field = asDrawn(fields.field ?? NO_FIELD);
+    const other = asDrawn((fields.field && fields.other) ?? NO_FIELD);
     const most = Math.max(field.maxDistance, other.maxDistance);
     this.painted = { ...this.painted, most };
     this.#show('field', (viewer) => {
@@ -214,7 +219,7 @@ export class View extends Screen {
   }
 
   /** Tints the triangles of the surface, `#F × 4`: see `Viewer.set_tints`. `surface`: as it was set. */
-  setTints(surface: DrawMesh, tints: Uint8Array): void {
+  setTints(surface: DrawnSurface, tints: Uint8Array): void {
     const { isTinted } = this;
     this.#show('ground', (viewer) => viewer.set_tints(surface, tints));
     const field = this.#picture.layers.get('field');
@@ -398,6 +403,11 @@ function innerPoint(section: InnerView['section'], triangle: number, shares: Vec
   const at = (corner: number) =>
     shares.reduce((sum, share, i) => sum + share * entry(weights, 4 * vertexAt(i) + corner), 0);
   return { tetrahedron: entry(tetrahedra, triangle), weights: [at(0), at(1), at(2), at(3)] };
+}
+
+/** With distances in the middles of edges, where they are known. */
+function asDrawn(field: ShownField): ShownField {
+  return { ...field, ...field.finer };
 }
 
 function finishOf({ metalness, roughness, glow }: Finish): Float32Array {

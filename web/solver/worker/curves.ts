@@ -104,9 +104,10 @@ function scaled(lengths: Float64Array, { scale }: LengthUnit): Float64Array {
 export async function isolineEnds(
   solver: wasm.Solver,
   wish: IsolineWish,
-  { transform }: ShownAs,
+  { transform, between }: ShownAs,
 ): Promise<Float32Array> {
-  return (await trace(solver, wish, MODEL, false)).ends(transform);
+  // Chords are seen to be straight where triangles are large.
+  return (await trace(solver, wish, MODEL, between !== null)).ends(transform);
 }
 
 export async function isolines(solver: wasm.Solver, wish: IsolineWish): Promise<Isolines> {

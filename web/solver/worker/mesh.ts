@@ -1,5 +1,5 @@
 /** The open mesh, the only one of this worker: a surface answers by the module of the solver, tetrahedra by theirs. */
-import type { DrawTransform, InnerCut, MeshInput, MeshPoint, Timings } from '../../protocol';
+import type { DrawTransform, InnerCut, MeshInput, MeshPoint, Timings, TrianglePlaces } from '../../protocol';
 import type * as interior from '../../wasm/interior/heatwalk_interior';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
 import { isOutOfMemory, isTrap } from '../trap';
@@ -24,6 +24,8 @@ export interface Mesh {
   refineMs: number;
   /** When the last slice of refining ended. */
   refinedAt: number;
+  /** What the distances of a finer drawing took the last time. */
+  betweenMs: number;
 }
 
 /** How a mesh is drawn. */
@@ -33,6 +35,8 @@ export interface ShownAs {
   from: { input: MeshInput; parts: Uint32Array } | null;
   /** The inactive parts that move. */
   moving: { part: number; scenery: wasm.Scenery }[];
+  /** Where more distances are drawn than those of vertices; null for nowhere. */
+  between: TrianglePlaces | null;
 }
 
 /** Windows of the first slice. */
@@ -50,7 +54,8 @@ export function setMesh(
     'surface' in asked
       ? { solver: asked.surface, surface: asked.surface, inside: null }
       : { solver: asked.inside, surface: null, inside: { solver: asked.inside, cut: null, hasField: false } };
-  current = { ...solver, shownAs, timings, work: FIRST_WORK, isByHeat: false, solveMs: 0, refineMs: 0, refinedAt: 0 };
+  const times = { solveMs: 0, refineMs: 0, refinedAt: 0, betweenMs: 0 };
+  current = { ...solver, shownAs, timings, work: FIRST_WORK, isByHeat: false, ...times };
   return current;
 }
 

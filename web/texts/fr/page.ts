@@ -356,8 +356,6 @@ export const PAGE: Texts = {
     '{0} est pour les surfaces : à l’intérieur de tétraèdres, rien n’est peint.',
   'Use conjugate gradients': 'Utiliser le gradient conjugué',
   'Use one window': 'Utiliser une seule fenêtre',
-  'Its triangles are few: stripes, which are straight within each, are off in between; numbers are not.':
-    'Ses triangles sont peu nombreux : les rayures, droites dans chacun, sont décalées entre les sommets ; les nombres ne le sont pas.',
   '{0} was not opened: {1}': '{0} n’a pas été ouvert : {1}',
   '{0} was not filled: {1}': '{0} n’a pas été rempli : {1}',
   '{0} was not opened: it names no mesh; save the scene again':

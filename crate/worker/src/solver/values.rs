@@ -17,9 +17,10 @@ impl Solver {
         numbers.as_slice().into()
     }
 
-    /// `#F × 3`, triangles of the surface.
+    /// `#F × 3`, triangles of the surface in the order in which they are drawn.
     pub fn faces(&self) -> Uint32Array {
-        let corners: Vec<u32> = self.shown.faces().iter().flat_map(|face| face.map(|vertex| vertex.0)).collect();
+        let faces = self.drawn.faces().iter().map(|&face| self.shown.faces()[face]);
+        let corners: Vec<u32> = faces.flat_map(|face| face.map(|vertex| vertex.0)).collect();
         corners.as_slice().into()
     }
 
@@ -29,12 +30,12 @@ impl Solver {
         Ok(values.as_slice().into())
     }
 
-    /// The last field at places of the surface, in the file's unit: `#P` faces, and `#P × 3` weights of their corners; none where not all
-    /// of it is exact, where costs differ, and while the surface is shown in another pose than it was measured in.
+    /// The last field at places of the surface, in the file's unit: `#P` drawn triangles, and `#P × 3` weights of their corners; none
+    /// where not all of it is exact, where costs differ, and while the surface is shown in another pose than it was measured in.
     ///
     /// # Errors
-    /// For a face that is not there, or weights out of range.
-    pub fn exact_distances_in(&mut self, faces: &[u32], weights: &[f64]) -> Result<Option<Vec<f64>>> {
+    /// For a triangle that is not there, or weights out of range.
+    pub fn exact_distances_in(&mut self, triangles: &[u32], weights: &[f64]) -> Result<Option<Vec<f64>>> {
         let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
         if !Arc::ptr_eq(self.solver.surface(), &self.shown) {
             return Ok(None);
@@ -44,8 +45,12 @@ impl Solver {
             distances => distances?,
         };
         let Some(distances) = distances else { return Ok(None) };
-        let place = |(&face, &weights): (&u32, &[f64; 3])| distances.at(Place::Face { face: FaceId(face), weights });
-        Ok(Some(faces.iter().zip(weights.as_chunks().0).map(place).collect::<heatwalk::Result<_>>()?))
+        let place = |(&triangle, &weights): (&u32, &[f64; 3])| {
+            // One that there is none of is for the surface to name.
+            let face = self.drawn.face(triangle).unwrap_or(FaceId(triangle));
+            distances.at(Place::Face { face, weights })
+        };
+        Ok(Some(triangles.iter().zip(weights.as_chunks().0).map(place).collect::<heatwalk::Result<_>>()?))
     }
 
     /// `#P × 2`, points of the path that was traced last: the length up to each, and the last field there, both in the file's

@@ -14,7 +14,7 @@ import type {
   TracedPath,
 } from '../../../protocol';
 import type * as wasm from '../../../wasm/solver/heatwalk_worker.js';
-import type { WithLengths } from '../../../length';
+import { ofModel, type WithLengths } from '../../../length';
 import { Latest } from '../../latest';
 import { nextWork, SLICE_MS, stopwatch } from '../clock';
 import { known, type Mesh, openMesh, openSurface, pathOf } from '../mesh';
@@ -25,6 +25,9 @@ import { known, type Mesh, openMesh, openSurface, pathOf } from '../mesh';
  */
 const SLICE_SOLVES = 2;
 
+/** The most that a finer drawing takes of a move of the pointer. */
+const QUICK_MS = 15;
+
 /** Fields that are asked for while the pointer drags. */
 const moves = new Latest();
 
@@ -34,7 +37,7 @@ const moves = new Latest();
  */
 export async function solve(sources: Source[], quick: boolean, request: PathRequest | null): Promise<Solved | null> {
   if (quick && !(await moves.isLast())) return null;
-  return firstField(true, ({ solver }) => solver.solve(sources.map(known), quick), request);
+  return firstField(true, quick, ({ solver }) => solver.solve(sources.map(known), quick), request);
 }
 
 /** By `windows` of each half-edge, with or without factors. Quick ones are overtaken as those by heat are. */
@@ -45,7 +48,7 @@ export async function propagate(
   request: PathRequest | null,
 ): Promise<Solved | null> {
   if (quick && !(await moves.isLast())) return null;
-  return firstField(false, ({ solver }) => solver.propagate(sources.map(known), windows, quick), request);
+  return firstField(false, quick, ({ solver }) => solver.propagate(sources.map(known), windows, quick), request);
 }
 
 /**
@@ -113,7 +116,12 @@ export function pose(moment: Moment | null, measured: boolean): Posed | null {
 }
 
 /** What a field is before any refinement. */
-function firstField(isByHeat: boolean, answer: (mesh: Mesh) => wasm.Field, request: PathRequest | null): Solved {
+function firstField(
+  isByHeat: boolean,
+  quick: boolean,
+  answer: (mesh: Mesh) => wasm.Field,
+  request: PathRequest | null,
+): Solved {
   const mesh = openMesh();
   const clock = stopwatch();
   const field = answer(mesh);
@@ -121,11 +129,30 @@ function firstField(isByHeat: boolean, answer: (mesh: Mesh) => wasm.Field, reque
   mesh.solveMs = clock();
   mesh.refineMs = 0;
   mesh.isByHeat = isByHeat;
-  return solvedOf(field, mesh, request);
+  return solvedOf(field, mesh, request, quick);
 }
 
-function solvedOf(found: wasm.Field, mesh: Mesh, request: PathRequest | null): Solved {
-  return { field: fieldOf(found, mesh), inside: seen(mesh), ...trace(mesh, request) };
+function solvedOf(found: wasm.Field, mesh: Mesh, request: PathRequest | null, quick = false): Solved {
+  const field = fieldOf(found, mesh);
+  const finer = finerOf(field, mesh, quick);
+  return { field: finer ? { ...field, finer } : field, inside: seen(mesh), ...trace(mesh, request) };
+}
+
+/** The exact distances of a finer drawing, where they are known; while the pointer drags, where they take little time. */
+function finerOf(field: DistanceField, mesh: Mesh, quick: boolean): DistanceField['finer'] {
+  const { surface, shownAs, betweenMs } = mesh;
+  const { between } = shownAs;
+  const { distance, byCorner, exactBelow, maxDistance } = field;
+  if (!surface || !between || byCorner || exactBelow < Infinity || (quick && betweenMs > QUICK_MS)) return undefined;
+  const clock = stopwatch();
+  const found = surface.exact_distances_in(between.triangles, between.weights);
+  mesh.betweenMs = clock();
+  if (!found) return undefined;
+  const largest = found.reduce((most, value) => (value < Infinity ? Math.max(most, value) : most), maxDistance);
+  const values = new Float32Array(distance.length + found.length);
+  values.set(distance);
+  values.set(found, distance.length);
+  return { distance: values, maxDistance: ofModel(largest) };
 }
 
 /** What is seen of the inside with the last field. */

@@ -8,6 +8,7 @@ import type {
   OpenedMesh,
   ProgressListener,
   Timings,
+  TrianglePlaces,
 } from '../../../protocol';
 import type { InnerSolver } from '../../../wasm/interior/heatwalk_interior';
 import { AUTOMATIC, type Parameters, type Stage, type Up } from '../../../wasm/contract';
@@ -131,12 +132,18 @@ export async function open(
       transform: drawTransform,
       from: simplified || inner ? null : { input, parts: chosen },
       moving: sceneries.filter(({ scenery: other }) => other.moves()),
+      between: null,
     },
     timings: { readMs, buildMs, drawMs: clock(), joinMs: 0, precomputeMs: 0 },
     vertices,
     inside: inner && innerSolver(inner.mesh, inputVertices, mesh.surface.triangles, drawTransform),
   };
   return mesh;
+}
+
+/** From now on answers have the exact distances at these places, too, where they are known. To be called before `prepare`. */
+export function drawBetween(places: TrianglePlaces): void {
+  if (opened) opened.shownAs.between = places;
 }
 
 /** Factors the mesh for the heat method with these parameters; with null, for propagation alone, nothing. To be called once. */
