@@ -199,7 +199,7 @@ export function expose(
     get field() {
       const field = session.shown.value?.answer.field;
       if (!field) return null;
-      const { distance: _distance, tangents: _tangents, inner: _inner, ...figures } = field;
+      const { distance: _distance, tangents: _tangents, inner: _inner, finer: _finer, ...figures } = field;
       return figures;
     },
     get factorNonzeros() {

@@ -24,9 +24,6 @@ const NONE = 0xffffffff;
 
 const loaded = moduleOnDemand(() => import('../../wasm/curves/heatwalk_curves.js'), curvesAddress);
 
-/** The isolines that were traced last. */
-let traced: curves.Curves | undefined;
-
 /** Milliseconds in which isolines are made to follow the distance itself. */
 const MOST_TIME = 2000;
 
@@ -42,21 +39,22 @@ function distancesAt(
   };
 }
 
-/**
- * Traces isolines of the last field on the surface as it is shown, all in a unit: along the distance itself where that is exact, or as
- * chords of triangles.
- */
-async function trace(
+/** What is made of isolines of the last field on the surface as it is shown: all in a unit, along the distance itself or as chords. */
+interface Tracing<T> {
+  wish: IsolineWish;
+  unit: LengthUnit;
+  /** Where it is exact. */
+  alongDistance: boolean;
+  make: (found: curves.Curves) => T;
+}
+
+async function traced<T>(
   solver: wasm.Solver,
-  { values, spacing }: IsolineWish,
-  unit: LengthUnit,
-  alongDistance: boolean,
-): Promise<curves.Curves> {
+  { wish: { values, spacing }, unit, alongDistance, make }: Tracing<T>,
+): Promise<T> {
   const { Curves } = await loaded();
-  traced?.free();
-  traced = undefined;
   const levels = Float64Array.from(values, (value) => typed(value, unit));
-  traced = new Curves(
+  const found = new Curves(
     scaled(solver.positions(), unit),
     solver.faces(),
     scaled(solver.distances(), unit),
@@ -64,11 +62,25 @@ async function trace(
     typed(spacing, unit),
     alongDistance ? distancesAt(solver, unit) : undefined,
   );
-  return traced;
+  return used(found, make);
 }
 
-/** The curves in which a plane cuts the surface: isolines of the height over it. */
-async function cutBy(solver: wasm.Solver, { normal, offset }: Plane, unit: LengthUnit): Promise<curves.Curves> {
+/** What is made of curves, whose memory is free afterwards. */
+function used<T>(found: curves.Curves, make: (found: curves.Curves) => T): T {
+  try {
+    return make(found);
+  } finally {
+    found.free();
+  }
+}
+
+/** What is made of the curves in which a plane cuts the surface: isolines of the height over it. */
+async function cutBy<T>(
+  solver: wasm.Solver,
+  { normal, offset }: Plane,
+  unit: LengthUnit,
+  make: (found: curves.Curves) => T,
+): Promise<T> {
   const { Curves } = await loaded();
   const positions = scaled(solver.positions(), unit);
   const heights = new Float64Array(positions.length / 3).fill(-offset * unit.scale);
@@ -76,23 +88,17 @@ async function cutBy(solver: wasm.Solver, { normal, offset }: Plane, unit: Lengt
     const vertex = Math.floor(index / 3);
     heights[vertex] = (heights[vertex] ?? 0) + (normal[index % 3] ?? 0) * value;
   });
-  return new Curves(positions, solver.faces(), heights, Float64Array.of(0), 0, undefined).into_girth();
+  return used(new Curves(positions, solver.faces(), heights, Float64Array.of(0), 0, undefined).into_girth(), make);
 }
 
 /** #segments × 2 × 3, ends of the segments of all curves in which a plane cuts the surface, one curve after another, as they are drawn. */
-export async function girth(solver: wasm.Solver, plane: Plane, { transform }: ShownAs): Promise<Float32Array> {
-  const found = await cutBy(solver, plane, MODEL);
-  const ends = found.ends(transform);
-  found.free();
-  return ends;
+export function girth(solver: wasm.Solver, plane: Plane, { transform }: ShownAs): Promise<Float32Array> {
+  return cutBy(solver, plane, MODEL, (found) => found.ends(transform));
 }
 
 /** A file of them. */
-export async function girthFile(solver: wasm.Solver, plane: Plane, kind: GirthFile, unit: LengthUnit): Promise<Bytes> {
-  const found = await cutBy(solver, plane, unit);
-  const bytes = found.file(kind, unit.symbol);
-  found.free();
-  return bytes as Bytes;
+export function girthFile(solver: wasm.Solver, plane: Plane, kind: GirthFile, unit: LengthUnit): Promise<Bytes> {
+  return cutBy(solver, plane, unit, (found) => found.file(kind, unit.symbol) as Bytes);
 }
 
 /** Lengths in another unit. */
@@ -100,39 +106,40 @@ function scaled(lengths: Float64Array, { scale }: LengthUnit): Float64Array {
   return scale === 1 ? lengths : lengths.map((length) => scale * length);
 }
 
-/** The ends of all segments of isolines, as they are drawn. */
-export async function isolineEnds(
+/** The ends of all segments of isolines, as they are drawn: chords, where these are not seen to be straight. */
+export function isolineEnds(
   solver: wasm.Solver,
   wish: IsolineWish,
   { transform, between }: ShownAs,
 ): Promise<Float32Array> {
-  // Chords are seen to be straight where triangles are large.
-  return (await trace(solver, wish, MODEL, between !== null)).ends(transform);
+  const make = (found: curves.Curves) => found.ends(transform);
+  return traced(solver, { wish, unit: MODEL, alongDistance: between !== null, make });
 }
 
-export async function isolines(solver: wasm.Solver, wish: IsolineWish): Promise<Isolines> {
-  const found = await trace(solver, wish, MODEL, true);
-  return { rows: found.rows() as IsolineRow[], isTrue: found.is_true };
+export function isolines(solver: wasm.Solver, wish: IsolineWish): Promise<Isolines> {
+  const make = (found: curves.Curves) => ({ rows: found.rows() as IsolineRow[], isTrue: found.is_true });
+  return traced(solver, { wish, unit: MODEL, alongDistance: true, make });
 }
 
-export async function curveFile(
+export function curveFile(
   solver: wasm.Solver,
   wish: IsolineWish,
   { kind, towardEye, unit }: CurveFile,
   { transform }: ShownAs,
 ): Promise<SavedCurves> {
-  const found = await trace(solver, wish, unit, true);
-  const { symbol } = unit;
-  const bytes =
-    kind === 'svg' || kind === 'pdf'
-      ? found.picture(kind, Float64Array.from(towardEye), transform.up, symbol)
-      : found.file(kind, symbol);
-  const bounds = Array.from(found.left_out(), (bound) => (bound < 0 ? null : bound));
-  const leftOut = Array.from(
-    { length: bounds.length / 2 },
-    (_, strip) => [bounds[2 * strip] ?? null, bounds[2 * strip + 1] ?? null] as const,
-  );
-  return { bytes: bytes as Bytes, leftOut, flatSpacing: found.flat_spacing ?? null };
+  const make = (found: curves.Curves): SavedCurves => {
+    const bytes =
+      kind === 'svg' || kind === 'pdf'
+        ? found.picture(kind, Float64Array.from(towardEye), transform.up, unit.symbol)
+        : found.file(kind, unit.symbol);
+    const bounds = Array.from(found.left_out(), (bound) => (bound < 0 ? null : bound));
+    const leftOut = Array.from(
+      { length: bounds.length / 2 },
+      (_, strip) => [bounds[2 * strip] ?? null, bounds[2 * strip + 1] ?? null] as const,
+    );
+    return { bytes: bytes as Bytes, leftOut, flatSpacing: found.flat_spacing ?? null };
+  };
+  return traced(solver, { wish, unit, alongDistance: true, make });
 }
 
 export async function distanceFile(
