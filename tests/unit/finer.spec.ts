@@ -5,13 +5,16 @@ import {
   areaOfTriangle,
   cornersOf,
   distance,
+  dot,
+  minus,
+  normalized,
   type Triangle,
   type Vector,
   vectorAt,
   vectorsIn,
   weighted,
 } from '../../web/state/vector';
-import { drawingFiner } from '../../web/view/finer';
+import { drawingFiner, gradientsOn } from '../../web/view/finer';
 import type { Hit, Viewer } from '../../web/wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
 
 const NORMAL = [0, 0, 1];
@@ -145,6 +148,19 @@ test('the renderer of a coarse surface is given what is on its parts', () => {
   expect(Uint32Array.from(origins, (_, part) => tints[4 * part + 3])).toEqual(origins);
   renderer.set_arrows(new Float32Array());
   expect(given('arrows')).toEqual([new Float32Array()]);
+
+  // Of distances from a corner, arrows lead away from it.
+  const rays = Float32Array.from(vectorsIn(mesh.positions), (place) => distance(place, [-1, -1, 0]));
+  const gradients = gradientsOn(finer, rays);
+  renderer.set_arrows(gradients);
+  expect(given('arrows')[0]).toBe(gradients);
+  const turned = trianglesOf(mesh).map((corners, part) => {
+    const away = minus(weighted(corners, [1 / 3, 1 / 3, 1 / 3]), [-1, -1, 0]);
+    return dot(normalized(away), normalized(vectorAt(gradients, part)));
+  });
+  expect(Math.min(...turned.slice(20))).toBeGreaterThan(0.9);
+  renderer.set_arrows(Float32Array.of(0, 0, 0, 1, 2, 3, 0, 0, 0));
+  expect([...vectorAt(given('arrows')[0] as Float32Array, origins.indexOf(1))]).toEqual([1, 2, 3]);
 
   // What is met is told as a place of the surface.
   const met = renderer.pick(1, 2) as Hit;

@@ -2,7 +2,14 @@
 import type { DistanceField } from '../protocol';
 import type { Engine } from '../solver/engine';
 import { OF_HEAT, type Overlay, type SceneState } from '../state/scene';
-import { type EdgeKind, FACE_FIELD, type Method, VERTEX_FIELD, type VertexField } from '../wasm/contract';
+import {
+  type EdgeKind,
+  FACE_FIELD,
+  type FaceField,
+  type Method,
+  VERTEX_FIELD,
+  type VertexField,
+} from '../wasm/contract';
 import { type Edges, rimmed } from '../view/layers';
 import { drawnIsolines } from './isolines';
 import type { Session } from './session';
@@ -82,7 +89,7 @@ export class Overlays {
         edges?.push(...rimmed({ ...ISOLINES, ends }, RIMS));
       }
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
-      const arrows = kind && field ? await engine.queries.gradients(kind) : new Float32Array();
+      const arrows = kind && field ? await this.#arrowsOf(engine, kind, field) : new Float32Array();
       const other = colorBy === 'distance' || !field ? null : await instead(engine, colorBy, field);
       if (wish !== this.#wish) return;
       if (edges) {
@@ -95,6 +102,17 @@ export class Overlays {
       // The answer by another method asks again.
       if (wish === this.#wish && method === session.scene.state.method) session.fail(error);
     }
+  }
+
+  async #arrowsOf(
+    { opened, queries }: Engine,
+    kind: FaceField,
+    { finer: drawn }: DistanceField,
+  ): Promise<Float32Array> {
+    const { finer } = opened.surface;
+    const isDrawnSo = kind === 'distance' && this.#session.pose.value === null;
+    if (!finer || !drawn || !isDrawnSo) return queries.gradients(kind);
+    return (await import('../view/finer')).gradientsOn(finer, drawn.distance);
   }
 }
 

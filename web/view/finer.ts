@@ -2,7 +2,18 @@
 import type { DrawnSurface, FinerMesh } from '../protocol';
 import { withMiddles } from '../solver/finer';
 import { entry } from '../state/entry';
-import { type Triangle, type Vector, vectorAt, weighted } from '../state/vector';
+import {
+  cornersOf,
+  cross,
+  minus,
+  moved,
+  scaled,
+  type Triangle,
+  type Vector,
+  vectorAt,
+  vectorsIn,
+  weighted,
+} from '../state/vector';
 import type { Hit, Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
 
 type Calls = Pick<
@@ -34,10 +45,8 @@ export function drawingFiner(viewer: Viewer): Viewer {
         finer ? ofParts(finer, tints, new Uint8Array(4 * finer.origins.length)) : tints,
       );
     },
-    set_arrows(vectors) {
-      viewer.set_arrows(
-        finer && vectors.length > 0 ? ofParts(finer, vectors, new Float32Array(3 * finer.origins.length)) : vectors,
-      );
+    set_arrows(vectors: Float32Array) {
+      viewer.set_arrows(finer ? arrowsOf(finer, vectors) : vectors);
     },
     pick(x, y) {
       const hit = viewer.pick(x, y);
@@ -91,6 +100,25 @@ function ofParts<A extends Float32Array | Uint8Array>({ origins }: FinerMesh, gi
     all[to] = entry(given, size * entry(origins, Math.floor(to / size)) + (to % size));
   }
   return all;
+}
+
+/** Arrows of triangles for their parts, or those of the parts. */
+function arrowsOf(finer: FinerMesh, vectors: Float32Array): Float32Array {
+  const ofAll = new Float32Array(3 * finer.origins.length);
+  return vectors.length === 0 || vectors.length === ofAll.length ? vectors : ofParts(finer, vectors, ofAll);
+}
+
+/** #T × 3: along the gradients of distances, #D + #E, on the parts; nothing where they are not reached. */
+export function gradientsOn({ mesh }: FinerMesh, distances: Float32Array): Float32Array {
+  const { positions, triangles } = mesh;
+  const vectors = vectorsIn(triangles).map((corners, part): Vector => {
+    const [p, q, r] = cornersOf(positions, triangles, part);
+    const [a, b, c] = [0, 1, 2].map((k) => entry(distances, entry(corners, k))) as Vector;
+    const along = moved(scaled(minus(r, p), a - b), minus(q, p), c - a);
+    const gradient = cross(cross(minus(q, p), minus(r, p)), along);
+    return gradient.every(Number.isFinite) ? gradient : [0, 0, 0];
+  });
+  return Float32Array.from(vectors.flat());
 }
 
 /** What was hit, as a place of the whole triangle. */
