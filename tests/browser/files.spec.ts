@@ -205,7 +205,12 @@ test('a link to a mesh of an archive finds it there', async ({ heatwalk, page })
 for (const [what, files, sentence] of [
   ['a damaged archive', { 'a.obj': strToU8('v 0 0 0') }, /set\.zip was not opened: the archive is damaged/],
   ['an archive of a COLLADA file', { 'robot.dae': strToU8('<COLLADA/>') }, /convert them to GLB, in Blender/],
-  ['an archive without a mesh', { 'notes.txt': strToU8('none') }, /No mesh found in notes\.txt/],
+  [
+    'an archive without a mesh',
+    { 'notes.txt': strToU8('none') },
+    /^The archive set\.zip contains no mesh, only notes\.txt\. Supported formats: GLB, /,
+  ],
+  ['an archive of nothing', {}, /^No mesh found in set\.zip\. Supported formats: GLB, /],
 ] as const) {
   test(`${what} is refused with a sentence, and the scene stays`, async ({ heatwalk, page }) => {
     await heatwalk.open();

@@ -1,6 +1,6 @@
 /** Fetches meshes from other servers. Servers learn nothing about the page or its user: no cookies, no referrer. */
 import { Failure, messageOf } from '../error';
-import { pathOf } from './address';
+import { nameOf, pathOf } from './address';
 import { type Collection, collectArchive } from './collection';
 import { isMesh, isPacked } from './paths';
 import { type Reference, gltfReferences, librariesOf, mapsOf } from './references';
@@ -38,7 +38,7 @@ export async function fetchCollection(
   const file = isPacked(named.path) ? await (await import('./gzip')).unpacked(named) : named;
   const { content } = file;
   const head = await content.slice(0, HEAD_BYTES).text();
-  if (head.startsWith(ARCHIVE) && !isMesh(file.path)) return collectArchive(content);
+  if (head.startsWith(ARCHIVE) && !isMesh(file.path)) return collectArchive(content, nameOf(address));
   if (PAGE.test(head))
     throw new Failure(t('the address gives a web page, not a mesh; use the address of the file itself'));
   const mesh = file.path || 'mesh';

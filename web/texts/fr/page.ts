@@ -389,6 +389,8 @@ export const PAGE: Texts = {
     '{0} : il n’y a pas de sommet {1} ; le maillage en a {2}, comptés à partir de 0.',
   'FBX and COLLADA (.dae) files are not read: convert them to GLB, in Blender (COLLADA up to version 4.5) or by “assimp export model.fbx model.glb”.':
     'Les fichiers FBX et COLLADA (.dae) ne sont pas lus : convertissez-les en GLB, dans Blender (COLLADA jusqu’à la version 4.5) ou par « assimp export model.fbx model.glb ».',
+  'The archive {0} contains no mesh, only {1}. Supported formats: {2}.':
+    'L’archive {0} ne contient pas de maillage, seulement {1}. Formats lus : {2}.',
   'No mesh found in {0}. Supported formats: {1}.': 'Aucun maillage trouvé dans {0}. Formats lus : {1}.',
   'the address gives a web page, not a mesh; use the address of the file itself':
     'l’adresse donne une page web, non un maillage ; prenez l’adresse du fichier lui-même',
