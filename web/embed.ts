@@ -15,7 +15,7 @@ export type Place =
 /** A place that distance is measured from. `offset`: the distance at it, in the unit of the file. */
 export type Source = Place & { offset?: number };
 
-/** Keys of the link without `m`, `model`, `name`, `hash` and `kiosk`, and their values: `{ look: 'gold', near: 0 }`. */
+/** Keys of the link, without those that it alone has (`v`, `m`, `model`, `name`, `hash`, `kiosk`, `open`), and their values: `{ look: 'gold' }`. */
 export type Options = Readonly<Record<string, string | number>>;
 
 /** A file of a mesh. What the mesh refers to is looked for by `name`, which may be a path. */

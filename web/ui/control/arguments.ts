@@ -42,12 +42,21 @@ export function optionsOf(given: unknown): Options {
   if (!isObject(given)) throw new Error(`options is ${shown(given)}; an object of keys of the link is needed.`);
   return Object.fromEntries(
     Object.entries(given).map(([key, value]) => {
-      if (ADDRESS_KEYS.includes(key)) throw new Error(`${key} is no option: open says what is opened.`);
+      if (ADDRESS_KEYS.includes(key)) throw new Error(`${key} is no option: ${ofLinks(key)}`);
       if (typeof value !== 'string' && (typeof value !== 'number' || !Number.isFinite(value)))
         throw new Error(`The option ${key} is ${shown(value)}; a text or a number is needed.`);
       return [key, value];
     }),
   );
+}
+
+/** What a key is that only links have, and what to do instead. */
+function ofLinks(key: string): string {
+  if (key === 'v') return 'it is the version of a link; leave it out.';
+  if (key !== 'kiosk' && key !== 'open')
+    return 'in a link it says which mesh is shown; give open one of preset, url, files, link.';
+  const purpose = key === 'kiosk' ? 'hides the panel' : 'names the workspace of the panel';
+  return `in a link it ${purpose}, when the page is loaded; write it into the address of the page.`;
 }
 
 export function sourcesOf(given: unknown): Source[] {
