@@ -155,6 +155,19 @@ test('a link opens both sides', { tag: '@page' }, async ({ heatwalk, page }) => 
     await page.locator('.panel').boundingBox(),
   ];
   expect(label?.y).toBeGreaterThan((tabs?.y ?? Infinity) + (tabs?.height ?? 0));
+  // In a narrow one labels are read to their ends, beside the tools.
+  await page.setViewportSize({ width: 320, height: 640 });
+  await heatwalk.follow('#v=1&m=bunny&method=heat&b=neumann&refine=0&vs=b:dirichlet,at:0.5');
+  await expect(line).toHaveAttribute('aria-valuetext', '50 % Insulated (Neumann)');
+  const tools = await page.locator('.toolbar').boundingBox();
+  for (const side of ['left', 'right']) {
+    const words = page.locator(`.compare-${side}`);
+    const hidden = await words.evaluate((element) => element.scrollWidth - element.clientWidth);
+    expect(hidden, side).toBe(0);
+    const { x = 0, width = Infinity } = (await words.boundingBox()) ?? {};
+    expect(x, side).toBeGreaterThanOrEqual((tools?.x ?? 0) + (tools?.width ?? 0));
+    expect(x + width, side).toBeLessThanOrEqual(320);
+  }
   await heatwalk.open('#v=1&m=bunny&vs=nonsense');
   await expect(page.getByText('vs=nonsense is invalid')).toBeVisible();
   await expect(line).toBeHidden();

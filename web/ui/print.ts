@@ -10,7 +10,7 @@ interface Frame {
 
 /** Prints the text of an element as the element is styled, into a frame. */
 export function printLabel(context: PlaneContext, element: Element, { x, y, width, height }: Frame): void {
-  const { backgroundColor, borderTopColor, borderTopWidth, color, font } = getComputedStyle(element);
+  const { backgroundColor, borderTopColor, borderTopWidth, color, font, lineHeight } = getComputedStyle(element);
   context.beginPath();
   context.roundRect(x, y, width, height, 4);
   context.fillStyle = backgroundColor;
@@ -24,5 +24,26 @@ export function printLabel(context: PlaneContext, element: Element, { x, y, widt
   context.fillStyle = color;
   context.textAlign = 'center';
   context.textBaseline = 'middle';
-  context.fillText(element.textContent ?? '', x + width / 2, y + height / 2);
+  const down = Number.parseFloat(lineHeight);
+  const lines = height < 2 * down ? [element.textContent ?? ''] : linesOf(element);
+  const first = y + (height - (lines.length - 1) * down) / 2;
+  lines.forEach((line, index) => context.fillText(line, x + width / 2, first + index * down));
+}
+
+/** Its words as they are broken into lines. */
+function linesOf({ firstChild, textContent }: Element): string[] {
+  const letters = textContent ?? '';
+  if (!firstChild) return [letters];
+  const range = new Range();
+  const starts = [0];
+  let line = Infinity;
+  for (let at = 0; at < letters.length; at++) {
+    range.setStart(firstChild, at);
+    range.setEnd(firstChild, at + 1);
+    const { top, height } = range.getBoundingClientRect();
+    if (top > line + height / 2) starts.push(at);
+    // The blank at which a line is broken takes no room.
+    if (height > 0) line = top;
+  }
+  return starts.map((start, index) => letters.slice(start, starts[index + 1]).trim());
 }
