@@ -85,9 +85,15 @@ test.describe('on a phone', () => {
     expect((message?.y ?? 0) + (message?.height ?? 0)).toBeLessThanOrEqual(sheet?.y ?? 0);
 
     await page.setViewportSize({ width: 844, height: 390 });
-    const [panel, messages] = [page.locator('.panel'), page.locator('.messages')];
-    expect((await messages.boundingBox())?.x).toBeGreaterThanOrEqual((await panel.boundingBox())?.x ?? Infinity);
-    // What has the focus is not below them.
+    // Messages are beside the panel and above the tools, in the place of the hint.
+    const panel = await page.locator('.panel').boundingBox();
+    for (const said of await page.locator('.message').all()) {
+      const { x = 0, y = 0, width = 0, height = 0 } = (await said.boundingBox()) ?? {};
+      expect(x + width).toBeLessThanOrEqual(panel?.x ?? 0);
+      expect(y + height).toBeLessThanOrEqual((await page.locator('.toolbar').boundingBox())?.y ?? 0);
+    }
+    await expect(page.locator('.hint')).toBeHidden();
+    // What has the focus is seen.
     const draw = page.getByRole('combobox', { name: 'Draw' });
     await draw.focus();
     expect(await draw.evaluate(isSeen)).toBe(true);
