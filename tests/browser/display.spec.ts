@@ -3,7 +3,6 @@ import fs from 'node:fs';
 import type { Page } from '@playwright/test';
 import { PNG } from 'pngjs';
 import { obj, sphere } from '../fixtures';
-import type { MeshPoint } from '../../web/protocol';
 import { brightness, expect, type HeatwalkPage, openSection, SEEN, test } from '../page';
 
 test.use(SEEN);
@@ -42,17 +41,18 @@ for (const look of ['zebra', 'gold', 'model']) {
   );
 }
 
+/** The place of a square of two triangles that is so far from its first corner, in a direction. */
+function placeOf(radius: number, angle: number): { face: number; weights: [number, number, number] } {
+  const [x, y] = [radius * Math.cos(angle), radius * Math.sin(angle)];
+  return y < x ? { face: 0, weights: [1 - x, x - y, y] } : { face: 1, weights: [1 - y, x, y - x] };
+}
+
 test('stripes on large triangles are where the distance is', { tag: '@page' }, async ({ heatwalk, page }) => {
   const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n';
   const scene = 'up=y&s=0&w=none&cam=0,0,3.5,0,0,0&look=zebra&period=0.08';
   await heatwalk.openFile('square.obj', square, scene);
   await heatwalk.settled();
   const period = 0.08 * Math.SQRT2;
-  /** The place so far from the source, in a direction. */
-  const placeOf = (radius: number, angle: number): MeshPoint => {
-    const [x, y] = [radius * Math.cos(angle), radius * Math.sin(angle)];
-    return y < x ? { face: 0, weights: [1 - x, x - y, y] } : { face: 1, weights: [1 - y, x, y - x] };
-  };
   const pictured = async (phase: number) => {
     const picture = await heatwalk.picture();
     const values = [];
@@ -63,9 +63,9 @@ test('stripes on large triangles are where the distance is', { tag: '@page' }, a
       values.push(brightness(picture, ...pixel));
       // Under the pointer is the triangle of the file.
       const met = await page.evaluate(([x, y]) => window.heatwalk.placeAt(x, y), pixel);
-      const { face, weights } = met as { face: number; weights: number[] };
-      expect(face).toBe((place as { face: number }).face);
-      weights.forEach((weight, k) => expect(weight).toBeCloseTo((place as { weights: number[] }).weights[k], 1));
+      const { face, weights } = met as typeof place;
+      expect(face).toBe(place.face);
+      weights.forEach((weight, k) => expect(weight).toBeCloseTo(place.weights[k], 1));
     }
     return values;
   };

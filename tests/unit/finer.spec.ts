@@ -36,6 +36,10 @@ const trianglesOf = ({ positions, triangles }: DrawMesh) =>
 
 const areaOf = (triangles: Triangle[]) => triangles.reduce((sum, triangle) => sum + areaOfTriangle(triangle), 0);
 
+const isAt = (one: Vector, other: Vector) => distance(one, other) < 1e-6;
+
+const isOnRim = (place: Vector) => Math.max(...place.map(Math.abs)) >= 1;
+
 test('a coarse surface is divided without gaps, and knows where its parts are', () => {
   const { finer, places } = divided(PLATE);
   const { mesh, middles, origins, weights } = finer;
@@ -44,7 +48,6 @@ test('a coarse surface is divided without gaps, and knows where its parts are', 
   expect(parts.length).toBeGreaterThan(1000);
   expect(areaOf(parts)).toBeCloseTo(areaOf(whole), 5);
   // Each part lies in its triangle, where it says.
-  const isAt = (one: Vector, other: Vector) => distance(one, other) < 1e-6;
   const lies = parts.map((corners, part) =>
     corners.every((corner, k) => isAt(weighted(whole[origins[part]], vectorAt(weights, 3 * part + k)), corner)),
   );
@@ -75,13 +78,12 @@ test('a coarse surface is divided without gaps, and knows where its parts are', 
   const counts = [...sides.values()];
   expect(counts.every((count) => count <= 2)).toBe(true);
   const onRim = ends.filter((_, side) => counts[side] === 1);
-  const isOnRim = (place: Vector) => Math.max(...place.map(Math.abs)) >= 1;
   expect(onRim.every((both) => both.every(isOnRim))).toBe(true);
 });
 
 test('parts keep the material of their triangle', () => {
   const { mesh, origins } = divided(PLATE).finer;
-  const runs = [0, 1, 2].map((run) => [...mesh.runs.subarray(3 * run, 3 * run + 3)]);
+  const runs = [0, 1, 2].map((run) => vectorAt(mesh.runs, run));
   expect(runs.map(([, , material]) => material)).toEqual([7, 8, 9]);
   runs.forEach(([from, to], triangle) => expect(new Set(origins.subarray(from, to))).toEqual(new Set([triangle])));
   expect([runs[0][0], runs[2][1]]).toEqual([0, origins.length]);
@@ -131,8 +133,8 @@ test('the renderer of a coarse surface is given what is on its parts', () => {
   expect(given('field')[0]).toBe(exact);
 
   // By corners, each triangle on its own; unreached ones do not reach into others.
-  const corners = Float32Array.of(0, 1, 2, 5, 5, 5, Infinity, Infinity, Infinity);
-  renderer.set_field(corners, new Int8Array(36), 6, true);
+  const atCorners = Float32Array.of(0, 1, 2, 5, 5, 5, Infinity, Infinity, Infinity);
+  renderer.set_field(atCorners, new Int8Array(36), 6, true);
   const [ofCorners] = given('field') as [Float32Array];
   expect(ofCorners).toHaveLength(mesh.triangles.length);
   const valuesIn = (triangle: number) => [...ofCorners].filter((_, i) => origins[Math.floor(i / 3)] === triangle);

@@ -3,7 +3,7 @@ import { Failure, messageOf } from '../error';
 import { nameOf, pathOf } from './address';
 import { type Collection, collectArchive } from './collection';
 import { isMesh, isPacked } from './paths';
-import { type Reference, gltfReferences, librariesOf, mapsOf } from './references';
+import type { Reference } from './references';
 import type { InputFile } from '../protocol';
 import { count, t, type Words } from '../texts';
 
@@ -42,6 +42,8 @@ export async function fetchCollection(
   if (PAGE.test(head))
     throw new Failure(t('the address gives a web page, not a mesh; use the address of the file itself'));
   const mesh = file.path || 'mesh';
+  // Most meshes refer to nothing.
+  const { gltfReferences, librariesOf, mapsOf } = await import('./references');
   const document = JSON_DOCUMENT.test(head) ? await content.text() : '';
   const companions = document ? await fetcher.companions(gltfReferences(mesh, document), base) : [];
   if (OBJ.test(mesh)) {

@@ -32,7 +32,7 @@ export function divided(surface: DrawMesh): { finer: FinerMesh; places: Triangle
   const division = new Division(surface);
   division.divide();
   // Parts of one triangle come one after another, as those of one material have to.
-  const parts = division.parts.sort((a, b) => a.origin - b.origin);
+  const parts = division.parts.toSorted((a, b) => a.origin - b.origin);
   const middles = Uint32Array.from(division.middles.flat());
   const mesh = meshOf(surface, parts, middles);
   const origins = Uint32Array.from(parts, ({ origin }) => origin);
@@ -46,7 +46,7 @@ export function divided(surface: DrawMesh): { finer: FinerMesh; places: Triangle
 
 function meshOf(surface: DrawMesh, parts: readonly Part[], middles: Uint32Array): DrawMesh {
   const firstOf = new Uint32Array(surface.triangles.length / 3 + 1).fill(parts.length);
-  for (const [index, { origin }] of [...parts.entries()].reverse()) firstOf[origin] = index;
+  for (const [index, { origin }] of [...parts.entries()].toReversed()) firstOf[origin] = index;
   const positions = withMiddles(surface.positions, middles, 3);
   const reach = positions.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
   return {
@@ -89,7 +89,7 @@ class Division {
 
   divide(): void {
     while (this.#edges.size > 0 && this.middles.length < MOST_MIDDLES) {
-      const edges = [...this.#edges.values()].sort((a, b) => b.length - a.length);
+      const edges = [...this.#edges.values()].toSorted((a, b) => b.length - a.length);
       const least = ROUND * entry(edges, 0).length;
       const longest = edges.filter(({ length }) => length >= least).slice(0, MOST_MIDDLES - this.middles.length);
       for (const { ends, parts } of longest) this.#divideEdge(ends, [...parts]);

@@ -113,12 +113,15 @@ export function isolineEnds(
   { transform, between }: ShownAs,
 ): Promise<Float32Array> {
   const make = (found: curves.Curves) => found.ends(transform);
-  return traced(solver, { wish, unit: MODEL, alongDistance: between !== null, make });
+  return traced(solver, { wish, unit: MODEL, alongDistance: between !== undefined, make });
 }
 
 export function isolines(solver: wasm.Solver, wish: IsolineWish): Promise<Isolines> {
-  const make = (found: curves.Curves) => ({ rows: found.rows() as IsolineRow[], isTrue: found.is_true });
-  return traced(solver, { wish, unit: MODEL, alongDistance: true, make });
+  return traced(solver, { wish, unit: MODEL, alongDistance: true, make: tableOf });
+}
+
+function tableOf(found: curves.Curves): Isolines {
+  return { rows: found.rows() as IsolineRow[], isTrue: found.is_true };
 }
 
 export function curveFile(

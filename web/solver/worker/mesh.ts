@@ -1,7 +1,8 @@
 /** The open mesh, the only one of this worker: a surface answers by the module of the solver, tetrahedra by theirs. */
-import type { DrawTransform, InnerCut, MeshInput, MeshPoint, Timings, TrianglePlaces } from '../../protocol';
+import type { DrawTransform, InnerCut, MeshInput, MeshPoint, Timings } from '../../protocol';
 import type * as interior from '../../wasm/interior/heatwalk_interior';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
+import type { Between } from './between';
 import { isOutOfMemory, isTrap } from '../trap';
 
 /** What both can be asked alike. */
@@ -24,8 +25,6 @@ export interface Mesh {
   refineMs: number;
   /** When the last slice of refining ended. */
   refinedAt: number;
-  /** What the distances of a finer drawing took the last time. */
-  betweenMs: number;
 }
 
 /** How a mesh is drawn. */
@@ -35,8 +34,8 @@ export interface ShownAs {
   from: { input: MeshInput; parts: Uint32Array } | null;
   /** The inactive parts that move. */
   moving: { part: number; scenery: wasm.Scenery }[];
-  /** Where more distances are drawn than those of vertices; null for nowhere. */
-  between: TrianglePlaces | null;
+  /** Where more distances are drawn than those of vertices: finds them. */
+  between?: Between;
 }
 
 /** Windows of the first slice. */
@@ -54,8 +53,7 @@ export function setMesh(
     'surface' in asked
       ? { solver: asked.surface, surface: asked.surface, inside: null }
       : { solver: asked.inside, surface: null, inside: { solver: asked.inside, cut: null, hasField: false } };
-  const times = { solveMs: 0, refineMs: 0, refinedAt: 0, betweenMs: 0 };
-  current = { ...solver, shownAs, timings, work: FIRST_WORK, isByHeat: false, ...times };
+  current = { ...solver, shownAs, timings, work: FIRST_WORK, isByHeat: false, solveMs: 0, refineMs: 0, refinedAt: 0 };
   return current;
 }
 

@@ -14,7 +14,7 @@ import type {
   TracedPath,
 } from '../../../protocol';
 import type * as wasm from '../../../wasm/solver/heatwalk_worker.js';
-import { ofModel, type WithLengths } from '../../../length';
+import type { WithLengths } from '../../../length';
 import { Latest } from '../../latest';
 import { nextWork, SLICE_MS, stopwatch } from '../clock';
 import { known, type Mesh, openMesh, openSurface, pathOf } from '../mesh';
@@ -24,9 +24,6 @@ import { known, type Mesh, openMesh, openSurface, pathOf } from '../mesh';
  * ends with one, or else as long as showing the field takes, but no longer than finding it took.
  */
 const SLICE_SOLVES = 2;
-
-/** The most that a finer drawing takes of a move of the pointer. */
-const QUICK_MS = 15;
 
 /** Fields that are asked for while the pointer drags. */
 const moves = new Latest();
@@ -134,25 +131,8 @@ function firstField(
 
 function solvedOf(found: wasm.Field, mesh: Mesh, request: PathRequest | null, quick = false): Solved {
   const field = fieldOf(found, mesh);
-  const finer = finerOf(field, mesh, quick);
+  const finer = mesh.shownAs.between?.(field, mesh.surface, quick);
   return { field: finer ? { ...field, finer } : field, inside: seen(mesh), ...trace(mesh, request) };
-}
-
-/** The exact distances of a finer drawing, where they are known; while the pointer drags, where they take little time. */
-function finerOf(field: DistanceField, mesh: Mesh, quick: boolean): DistanceField['finer'] {
-  const { surface, shownAs, betweenMs } = mesh;
-  const { between } = shownAs;
-  const { distance, byCorner, exactBelow, maxDistance } = field;
-  if (!surface || !between || byCorner || exactBelow < Infinity || (quick && betweenMs > QUICK_MS)) return undefined;
-  const clock = stopwatch();
-  const found = surface.exact_distances_in(between.triangles, between.weights);
-  mesh.betweenMs = clock();
-  if (!found) return undefined;
-  const largest = found.reduce((most, value) => (value < Infinity ? Math.max(most, value) : most), maxDistance);
-  const values = new Float32Array(distance.length + found.length);
-  values.set(distance);
-  values.set(found, distance.length);
-  return { distance: values, maxDistance: ofModel(largest) };
 }
 
 /** What is seen of the inside with the last field. */

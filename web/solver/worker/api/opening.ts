@@ -132,7 +132,6 @@ export async function open(
       transform: drawTransform,
       from: simplified || inner ? null : { input, parts: chosen },
       moving: sceneries.filter(({ scenery: other }) => other.moves()),
-      between: null,
     },
     timings: { readMs, buildMs, drawMs: clock(), joinMs: 0, precomputeMs: 0 },
     vertices,
@@ -142,8 +141,9 @@ export async function open(
 }
 
 /** From now on answers have the exact distances at these places, too, where they are known. To be called before `prepare`. */
-export function drawBetween(places: TrianglePlaces): void {
-  if (opened) opened.shownAs.between = places;
+export async function drawBetween(places: TrianglePlaces): Promise<void> {
+  const { distancesAt } = await import('../between');
+  if (opened) opened.shownAs.between = distancesAt(places);
 }
 
 /** Factors the mesh for the heat method with these parameters; with null, for propagation alone, nothing. To be called once. */
