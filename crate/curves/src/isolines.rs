@@ -40,12 +40,14 @@ pub struct Isoline {
 }
 
 /// What curves are, by which files call them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Kind {
     /// Isolines of a distance.
     Isolines,
     /// Where a plane cuts the surface: at 0 of the height over it.
     Girth,
+    /// Borders between cells, each between these two, and without a value.
+    Borders(Vec<[u32; 2]>),
 }
 
 /// The isolines of a field.
@@ -66,6 +68,15 @@ impl Curve {
 }
 
 impl Isolines {
+    /// What files call one of them.
+    pub fn name(&self, index: usize) -> String {
+        match &self.kind {
+            Kind::Isolines => format!("isoline_{}", self.isolines[index].value),
+            Kind::Girth => "girth".to_owned(),
+            Kind::Borders(cells) => format!("border_{}_{}", cells[index][0], cells[index][1]),
+        }
+    }
+
     /// Finds the isolines of all levels. Triangles with an infinite distance have none.
     pub fn trace(field: &Field, levels: &Levels) -> Self {
         let field = &field.at_levels(levels);

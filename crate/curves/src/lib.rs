@@ -6,6 +6,7 @@
 //! shapes. [`mod@write`] makes files of all of them. On the page this is a wasm module of its own, loaded when one is asked for.
 
 mod area;
+mod borders;
 mod error;
 mod field;
 mod isolines;
@@ -18,6 +19,7 @@ mod unroll;
 mod web;
 pub mod write;
 
+pub use borders::Borders;
 pub use error::{Error, MAX_DEFECT, MOST_LEVELS, NotDevelopable, Result};
 pub use field::Field;
 pub use isolines::{Curve, Isoline, Isolines, Kind};

@@ -265,12 +265,12 @@ impl<'a> Refinement<'a> {
 }
 
 /// The edges of a triangle, the lesser end first.
-fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+pub(crate) fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)])
 }
 
 /// Divides a triangle at middles of its edges, the first one between its first two corners.
-fn split(corners: [u32; 3], middles: [Option<u32>; 3], positions: &[DVec3], mut give: impl FnMut([u32; 3])) {
+pub(crate) fn split(corners: [u32; 3], middles: [Option<u32>; 3], positions: &[DVec3], mut give: impl FnMut([u32; 3])) {
     let turned = |by: usize| {
         let at = |k: usize| corners[(k + by) % 3];
         [at(0), at(1), at(2)]

@@ -52,6 +52,7 @@
 
 pub mod accuracy;
 mod bridged;
+mod cells;
 mod choice;
 mod cost;
 mod dijkstra;
@@ -78,6 +79,7 @@ pub use heatwalk_sparse as sparse;
 pub use heatwalk_surface as surface;
 
 pub use accuracy::RelativeError;
+pub use cells::{Cells, cells};
 pub use choice::{Choice, UnknownChoice};
 pub use cost::{Costs, tobler};
 pub use dijkstra::{edge_path, edge_polyline};

@@ -12,7 +12,8 @@ const LINES: u32 = 1;
 pub fn glb(isolines: &Isolines) -> Vec<u8> {
     let mut file = GlbFile::default();
     let (mut nodes, mut meshes) = (Vec::new(), Vec::new());
-    for isoline in isolines.isolines.iter().filter(|isoline| !isoline.curves.is_empty()) {
+    let curved = isolines.isolines.iter().enumerate().filter(|(_, isoline)| !isoline.curves.is_empty());
+    for (index, isoline) in curved {
         let (mut positions, mut indices) = (Vec::new(), Vec::new());
         for curve in &isoline.curves {
             let first = positions.len() as u32;
@@ -26,9 +27,10 @@ pub fn glb(isolines: &Isolines) -> Vec<u8> {
             "attributes": { "POSITION": file.bounded(&positions, "VEC3") },
             "indices": file.indices(&indices),
         });
-        let (name, extras) = match isolines.kind {
+        let (name, extras) = match &isolines.kind {
             Kind::Isolines => (format!("isoline {}", isoline.value), json!({ "distance": isoline.value })),
-            Kind::Girth => ("girth".to_owned(), json!({})),
+            Kind::Girth => (isolines.name(index), json!({})),
+            Kind::Borders(cells) => (isolines.name(index), json!({ "cells": cells[index] })),
         };
         nodes.push(json!({ "name": name, "mesh": meshes.len() }));
         meshes.push(json!({ "primitives": [primitive], "extras": extras }));

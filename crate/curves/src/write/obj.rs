@@ -15,14 +15,12 @@ pub fn obj(isolines: &Isolines, unit: Option<Unit>) -> Vec<u8> {
     let title = match isolines.kind {
         Kind::Isolines => "isolines of a distance",
         Kind::Girth => "girth of a surface",
+        Kind::Borders(_) => "borders of cells",
     };
     let mut text = format!("# {title} by Heatwalk\n{}", comment("#", unit));
     let mut first = 1;
-    for isoline in &isolines.isolines {
-        let _ = match isolines.kind {
-            Kind::Isolines => writeln!(text, "g isoline_{}", isoline.value),
-            Kind::Girth => writeln!(text, "g girth"),
-        };
+    for (index, isoline) in isolines.isolines.iter().enumerate() {
+        let _ = writeln!(text, "g {}", isolines.name(index));
         for curve in &isoline.curves {
             for point in &curve.points {
                 let _ = writeln!(text, "v {} {} {}", point.x, point.y, point.z);

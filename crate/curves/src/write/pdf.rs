@@ -33,7 +33,7 @@ type Lines = Vec<(Vec<DVec2>, bool)>;
 
 /// What is seen of isolines, see [`svg`](super::svg()).
 pub fn pdf(isolines: &Isolines, field: &Field, view: &View, unit: Unit) -> Vec<u8> {
-    let lines = seen(isolines, field, view).flat_map(|(_, curves)| curves.into_iter().flatten());
+    let lines = seen(isolines, field, view).flat_map(|curves| curves.into_iter().flatten());
     let lines = lines.map(|line| (line, false)).collect();
     document(&lines, view.size, millimeters(unit) * view.pixel)
 }

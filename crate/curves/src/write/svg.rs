@@ -25,8 +25,8 @@ pub fn svg(isolines: &Isolines, field: &Field, view: &View, unit: Option<Unit>) 
     // To a thousandth of a pixel.
     let digits = 3 + (-factor.log10()).ceil().max(0.0) as usize;
     let mut text = String::new();
-    for (value, curves) in seen(isolines, field, view) {
-        let _ = writeln!(text, "<g id=\"isoline_{value}\">");
+    for (index, curves) in seen(isolines, field, view).enumerate() {
+        let _ = writeln!(text, "<g id=\"{}\">", isolines.name(index));
         for lines in curves.iter().filter(|lines| !lines.is_empty()) {
             text.push_str("<path d=\"");
             for line in lines {

@@ -75,7 +75,7 @@ pub(super) fn seen<'a>(
     isolines: &'a Isolines,
     field: &'a Field,
     view: &'a View,
-) -> impl Iterator<Item = (f64, Vec<Vec<Vec<DVec2>>>)> + 'a {
+) -> impl Iterator<Item = Vec<Vec<Vec<DVec2>>>> + 'a {
     let triangles = 0..field.triangles().len();
     let placed: Vec<Option<[DVec3; 3]>> = triangles.map(|triangle| view.triangle(field.corners(triangle))).collect();
     let occluders = Occluders::new(placed.iter().copied().flatten().collect());
@@ -95,5 +95,5 @@ pub(super) fn seen<'a>(
         }
         lines
     };
-    isolines.isolines.iter().map(move |isoline| (isoline.value, isoline.curves.iter().map(&lines).collect()))
+    isolines.isolines.iter().map(move |isoline| isoline.curves.iter().map(&lines).collect())
 }

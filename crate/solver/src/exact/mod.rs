@@ -42,6 +42,7 @@ use std::sync::Arc;
 pub(crate) use crossing::{Crossing, Exits};
 pub use geometry::ExactGeometry;
 pub(crate) use geometry::{Side, after, before};
+pub(crate) use places::End;
 pub use places::PlaceDistances;
 pub(crate) use portals::Portals;
 pub(crate) use queue::Ring;

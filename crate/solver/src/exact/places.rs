@@ -77,6 +77,18 @@ impl<'a> PlaceDistances<'a> {
         }
     }
 
+    /// What a straight line from a place leads to on its shortest path; none where no source reaches it.
+    pub(crate) fn end(&self, place: impl ToPoint) -> Result<Option<End>> {
+        let place = place.to_point(&self.geometry.surface)?.place();
+        if let Place::Vertex(vertex) = place {
+            return Ok(Some(End::Vertex(vertex)));
+        }
+        match Lines::followed(self, place) {
+            Some(lines) => Ok(lines.found.map(|found| found.end)),
+            None => Ok(search(self.geometry, &self.sources, place)?.source_of_target(0).map(End::Source)),
+        }
+    }
+
     /// The surface in the faces of which distances are known, and the sources.
     pub(crate) fn asked(&self) -> (&'a Arc<ExactGeometry>, &[Source]) {
         (self.geometry, &self.sources)
@@ -135,7 +147,7 @@ impl<'a> PlaceDistances<'a> {
 
 /// Where a straight line ends.
 #[derive(Debug, Clone, Copy)]
-enum End {
+pub(crate) enum End {
     Vertex(VertexId),
     Source(u32),
 }

@@ -273,6 +273,23 @@ impl Wavefront {
         }
     }
 
+    /// The number of the source that a vertex's distance comes from; none where none is reached.
+    pub(crate) fn source_of_vertex(&self, vertex: VertexId) -> Option<u32> {
+        self.source_of_origin(self.origins[vertex.index()])
+    }
+
+    /// The same of a target.
+    pub(crate) fn source_of_target(&self, target: usize) -> Option<u32> {
+        self.source_of_origin(self.targets.origins[target])
+    }
+
+    fn source_of_origin(&self, origin: Origin) -> Option<u32> {
+        match origin {
+            Origin::Straight { root, .. } | Origin::Window { root, .. } => Some(self.source_of(root)),
+            Origin::None | Origin::Portal => None,
+        }
+    }
+
     /// The number of the source that the distance of an end of a portal comes from.
     pub(crate) fn source_of_end(&self, end: u32) -> u32 {
         match self.ends.origins[end as usize] {
