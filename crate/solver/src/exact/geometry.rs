@@ -123,6 +123,11 @@ impl Frame {
         self.0.map(|side| side.vertex)
     }
 
+    /// The corner at a point, if there is one.
+    pub fn corner(&self, vertex: u32) -> Option<usize> {
+        self.0.iter().position(|side| side.vertex == vertex)
+    }
+
     /// The sides as half-edge `k` sees them: itself, the next and the one before.
     pub fn seen_from(&self, k: usize) -> [&Side; 3] {
         [&self.0[k], &self.0[after(k)], &self.0[before(k)]]
@@ -409,6 +414,11 @@ impl ExactGeometry {
         // Most edges are done after one, without a look at the face across. The last bit tells the direction so far.
         let after = move |&packed: &u32| (packed & 2 == 0).then(|| next(packed >> 2) ^ (packed & 1)).and_then(other);
         std::iter::successors(other(next(halfedge)), after).map(|packed| (packed >> 2, packed & 1 == 0))
+    }
+
+    /// A place that is on an edge, or at a vertex, as such.
+    pub(crate) fn settled(&self, place: Place) -> Place {
+        place.snapped_within(&self.surface, ON_EDGE)
     }
 
     /// The faces that a surface point lies on, with its weights in each.

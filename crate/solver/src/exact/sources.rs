@@ -243,8 +243,7 @@ impl Wavefront {
     fn arrival(&self, vertex: u32) -> Option<(Turn, [f64; 2])> {
         let at_corner = |face: u32| {
             let frame = &self.geometry.frames[face as usize];
-            let corner = frame.vertices().iter().position(|&corner| corner == vertex)?;
-            Some((frame, Turn { face, corner, is_reversed: false }))
+            Some((frame, Turn { face, corner: frame.corner(vertex)?, is_reversed: false }))
         };
         match self.origins[vertex as usize] {
             Origin::None | Origin::Portal => None,

@@ -2,45 +2,16 @@
 
 use heatwalk_surface::{FaceId, HalfedgeId, Path, PathPoint, Place, VertexId};
 
-use super::geometry::{after, before};
 use super::origin::Origin;
 use super::portals::Portals;
+use super::ray::{Found, Ray};
 use super::wavefront::{Root, Wavefront};
 use super::window::length;
 use crate::dijkstra;
 use crate::error::{Error, Result};
 
-/// A line that passes a vertex at no more than this share of its length may go through it instead, if the vertex's
-/// value agrees: the ends of windows are rays through vertices, and rounding must not choose a side there.
-const SNAP: f64 = 1e-10;
-
-/// A source unfolded along the line to it comes to lie on itself within this share of the line, far more than rounding.
-const MEETS: f64 = 1e-7;
-
 /// A line back is longer than the distance says by no more than this share of it.
 const STRAIGHT: f64 = 1e-9;
-
-/// A source may come to lie behind an edge that the line to it crosses by this share of their lengths.
-const BEHIND: f64 = 1e-6;
-
-/// Where a line back to its source leaves a face: at `at` of a half-edge, seen from that face, to `(x, −depth)`.
-#[derive(Debug, Clone, Copy)]
-struct Ray {
-    halfedge: u32,
-    at: f64,
-    x: f64,
-    depth: f64,
-}
-
-/// What a step into a face finds.
-enum Found {
-    /// The source.
-    Arrived,
-    /// A way out.
-    Leaves(Ray),
-    /// Nothing: the line belongs to another face of the edge, and ends here without having met the source.
-    Lost,
-}
 
 /// Where a path has come to.
 #[derive(Debug, Clone, Copy)]
@@ -133,42 +104,6 @@ impl Wavefront {
         let (ends, end) = (&self.ends, end as usize);
         Stop { location: ends.locations[end], value: ends.values[end], origin: ends.origins[end] }
     }
-
-    /// Takes a ray into the face of `half-edge`, on the far side of its edge; `is_mirrored` where that half-edge runs in the
-    /// ray's half-edge's direction.
-    fn step(&self, ray: Ray, (halfedge, is_mirrored): (u32, bool), (root, near): (u32, f64)) -> Found {
-        let (frame, k) = self.geometry.frame_of(halfedge);
-        let (l, r) = (before(k), after(k));
-        let across = frame[k].length;
-        // The source is above the half-edge now.
-        let turn = |x: f64| if is_mirrored { x } else { across - x };
-        let (at, x, y) = (turn(ray.at), turn(ray.x), ray.depth);
-        let opposite = frame.opposite(k);
-        if let Some(weights) = self.weights_of_root(root, halfedge / 3) {
-            let [root_x, root_y] = frame.place(k, weights);
-            if length(root_x - x, root_y - y) <= near {
-                return Found::Arrived;
-            }
-        }
-        let [forward, up] = [x - at, y];
-        // A source on this edge that is none of the face's corners lies beyond it, where the face is flat.
-        let is_here = length(forward, up) <= near;
-        let is_left = if is_here { x <= opposite[0] } else { (opposite[0] - at) * up - opposite[1] * forward >= 0.0 };
-        let (out, from_end, cos, sin) =
-            if is_left { (l, at, frame[k].cos, frame[k].sin) } else { (r, across - at, frame[r].cos, frame[r].sin) };
-        let out_length = frame[out].length;
-        // From the end that both edges share.
-        let [aside, towards] = if is_left { [x, -forward] } else { [across - x, forward] };
-        let closing = cos * up + sin * towards;
-        let meets = if closing > 0.0 { (from_end * up / closing).min(out_length) } else { out_length };
-        let (along, depth) = (aside * cos + y * sin, y * cos - aside * sin);
-        if depth.is_nan() || depth < -BEHIND * (out_length + y) || (is_here && depth > near) {
-            return Found::Lost;
-        }
-        let (at, x) = if is_left { (out_length - meets, out_length - along) } else { (meets, along) };
-        let at = if is_here { x.clamp(0.0, out_length) } else { at };
-        Found::Leaves(Ray { halfedge: halfedge - k as u32 + out as u32, at, x, depth: depth.max(0.0) })
-    }
 }
 
 const NONE: u32 = u32::MAX;
@@ -235,10 +170,10 @@ impl Trace<'_> {
         let mut open: Vec<(Ray, u32, bool, usize)> = Vec::new();
         let mut ray = first;
         let begin = self.points.len();
-        let near = MEETS * length(first.x - first.at, first.depth) + front.geometry.grain;
+        let near = first.near(front.geometry.grain);
         loop {
             let inside = ray.halfedge / 3;
-            if let Some(vertex) = self.passes(start, &ray) {
+            if let Some(vertex) = front.passes(start.value, root, &ray) {
                 return Some(End::Vertex(vertex, inside));
             }
             let (frame, k) = front.geometry.frame_of(ray.halfedge);
@@ -268,36 +203,10 @@ impl Trace<'_> {
         }
     }
 
-    /// The end of the half-edge that a ray passes through, if the path may continue from there.
-    fn passes(&self, start: &Stop, ray: &Ray) -> Option<u32> {
-        let front = self.front;
-        let (frame, k) = front.geometry.frame_of(ray.halfedge);
-        let left = length(ray.x - ray.at, ray.depth);
-        let near = SNAP * left + front.geometry.grain;
-        let ends = [(frame[k].vertex, ray.at), (frame[after(k)].vertex, frame[k].length - ray.at)];
-        let (vertex, _) = ends.into_iter().find(|&(_, distance)| distance <= near)?;
-        let value = front.values[VertexId(vertex)];
-        let Origin::Window { root, .. } = start.origin else { return None };
-        let offset = front.value_of_root(root);
-        (value < start.value && value <= offset + left + 2.0 * near).then_some(vertex)
-    }
-
     /// Goes straight to the corner of a face here by which the source is nearest instead, if that is nearer than here: where rounding
     /// lost the line, it passes that corner by about as little. Returns the corner.
     fn step_aside(&mut self, start: &Stop) -> Option<u32> {
-        let front = self.front;
-        let corners =
-            front.geometry.faces_at(&front.surface, start.location).into_iter().flat_map(|(face, weights)| {
-                let frame = front.geometry.frame(face);
-                let [x, y] = frame.place(0, weights);
-                [0, 1, 2].map(|k| {
-                    let [along, up] = frame.place(0, std::array::from_fn(|corner| f64::from(u8::from(corner == k))));
-                    (face, frame[k].vertex, length(along - x, up - y))
-                })
-            });
-        let nearer = corners.filter(|&(_, corner, _)| front.values[VertexId(corner)] < start.value);
-        let by = |(_, corner, length): (u32, u32, f64)| front.values[VertexId(corner)] + length;
-        let (face, corner, _) = nearer.min_by(|&a, &b| by(a).total_cmp(&by(b)))?;
+        let (face, corner) = self.front.nearer_corner(start.location, start.value)?;
         self.go(Place::Vertex(VertexId(corner)), face);
         Some(corner)
     }

@@ -558,7 +558,7 @@ impl Wavefront {
 
 /// What windows start from, and straight lines.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Root {
+pub(crate) enum Root {
     /// One that paths bend at.
     Vertex(VertexId),
     /// The number of a source.

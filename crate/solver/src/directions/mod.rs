@@ -1,0 +1,29 @@
+//! Directions of exact shortest paths: the log map, and parallel transport along them.
+//!
+//! A tangent plane at a vertex has the angles around it, those of an inner vertex scaled to sum to 2π, as in [`Frames`](crate::operator::Frames)
+//! (Sharp, Soliman, Crane, "The vector heat method", 2019). Between vertices shortest paths are straight where faces are unfolded, and a
+//! vector that is carried along keeps its angle with them.
+
+mod log_map;
+mod plane;
+mod transport;
+
+use std::sync::Arc;
+
+pub use log_map::{LogMap, log_map};
+pub use transport::transport;
+
+use heatwalk_sparse::{Progress, Stage, report};
+use heatwalk_surface::ToSource;
+
+use crate::error::Result;
+use crate::exact::{ExactGeometry, WORK_BETWEEN_CALLS, Wavefront};
+
+/// The search from sources, at its end.
+fn searched<S: ToSource>(geometry: &Arc<ExactGeometry>, sources: &[S], progress: Progress<'_>) -> Result<Wavefront> {
+    let mut front = Wavefront::new(Arc::clone(geometry), sources)?;
+    while !front.advance(f64::INFINITY, WORK_BETWEEN_CALLS)? {
+        report(progress, Stage::Searching { radius: front.radius() }, 0.0)?;
+    }
+    Ok(front)
+}

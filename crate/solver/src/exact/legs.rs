@@ -1,0 +1,290 @@
+//! The last legs of shortest paths: their straight part from a source, or from where they bend last, to a vertex, with the directions
+//! in which it leaves and arrives.
+//!
+//! Unfolding keeps angles, so that a line that is followed back through the faces that it crosses tells the direction in which it left.
+//! Lines from one root through the same faces unfold it to one place; what one of them has found each half-edge remembers for the next.
+
+use heatwalk_sparse::c64;
+use heatwalk_surface::{Element, Place, VertexId};
+
+use super::geometry::{Frame, after, before};
+use super::origin::Origin;
+use super::portals::Portals;
+use super::ray::{Found, Ray};
+use super::wavefront::{Root, Wavefront};
+use super::window::length;
+use crate::error::Result;
+use crate::room;
+
+/// Two lines at a half-edge come through the same faces where their root unfolds to one place within this share of its distance: rounding
+/// of some thousand faces stays below. Had they passed a vertex on different sides, the root would come to lie apart by its curvature, times
+/// the vertex's distance from the root.
+const SAME_STRIP: f64 = 1e-12;
+
+/// A direction in a face, of any length, as a complex number: the half-edge `side` of the face has the direction 1.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Heading {
+    pub side: u32,
+    pub direction: c64,
+}
+
+/// The straight end of a shortest path.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Leg {
+    pub root: Root,
+    /// Away from the root: at a vertex from the side that leaves it, at other places from the first side of the face.
+    pub departure: Heading,
+    /// Back to where the path comes from, likewise.
+    pub arrival: Heading,
+    /// Whether what is on the left at one end is on the right at the other, as on a Möbius strip.
+    pub is_mirrored: bool,
+}
+
+/// What the plane does from one half-edge's frame to another's: it is mirrored, perhaps, and turned.
+#[derive(Debug, Clone, Copy)]
+struct Turned {
+    by: c64,
+    is_mirrored: bool,
+}
+
+impl Turned {
+    const NOT: Self = Self { by: c64::new(1.0, 0.0), is_mirrored: false };
+
+    fn apply(&self, direction: c64) -> c64 {
+        self.by * if self.is_mirrored { direction.conj() } else { direction }
+    }
+
+    fn then(&self, next: &Self) -> Self {
+        Self { by: next.apply(self.by), is_mirrored: self.is_mirrored != next.is_mirrored }
+    }
+}
+
+/// A direction that is seen from half-edge `from` of a face, as half-edge `to` sees it.
+fn from_side(frame: &Frame, (from, to): (usize, usize), direction: c64) -> c64 {
+    if to == from {
+        direction
+    } else if to == after(from) {
+        -direction * c64::new(frame[to].cos, frame[to].sin)
+    } else {
+        -direction * c64::new(frame[from].cos, -frame[from].sin)
+    }
+}
+
+/// How a root is seen through faces that have been followed back.
+#[derive(Debug, Clone, Copy)]
+struct Strip {
+    root: u32,
+    /// What [`Heading`]s at the root are measured from.
+    side: u32,
+    /// Where the root unfolds to.
+    x: f64,
+    depth: f64,
+    /// From the half-edge to that side.
+    turned: Turned,
+}
+
+const UNKNOWN: Strip = Strip { root: u32::MAX, side: 0, x: 0.0, depth: 0.0, turned: Turned::NOT };
+
+/// Where a line back ends.
+enum End {
+    /// At its root.
+    Root { side: u32, turned: Turned },
+    /// At a vertex on it, in the face of a half-edge.
+    Vertex { vertex: VertexId, halfedge: u32, turned: Turned },
+}
+
+/// A step of the line that is followed.
+struct Step {
+    ray: Ray,
+    /// From the half-edge where the line began.
+    turned: Turned,
+}
+
+/// Finds legs.
+struct Legs<'a> {
+    front: &'a Wavefront,
+    /// `3 #F`, what was last found of each half-edge.
+    strips: Vec<Strip>,
+    /// Kept for its memory.
+    steps: Vec<Step>,
+    /// Faces still to try, each after so many steps; kept for its memory.
+    open: Vec<(u32, bool, usize)>,
+}
+
+impl Wavefront {
+    /// Tells the leg of each vertex that has a distance, and of each end of a portal (`#V` + its number); first those of the places where
+    /// others [begin](Self::start_of_leg). Distances must be final.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub(crate) fn for_each_leg(&self, mut tell: impl FnMut(usize, &Leg)) -> Result<()> {
+        let mut strips = Vec::new();
+        strips.try_reserve_exact(3 * self.surface.face_count()).map_err(|_| room::REFUSED)?;
+        strips.resize(3 * self.surface.face_count(), UNKNOWN);
+        let mut legs = Legs { front: self, strips, steps: Vec::new(), open: Vec::new() };
+        let mut is_told = vec![false; self.values.len() + self.ends.values.len()];
+        let mut open = Vec::new();
+        for stop in 0..is_told.len() {
+            open.push(stop);
+            while let Some(&stop) = open.last() {
+                let leg = if is_told[stop] { None } else { legs.of(stop) };
+                match leg.and_then(|leg| self.start_of_leg(&leg)) {
+                    // Distances fall from one to the next.
+                    Some(start) if !is_told[start] => open.push(start),
+                    _ => {
+                        leg.iter().for_each(|leg| tell(stop, leg));
+                        is_told[stop] = true;
+                        open.pop();
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The vertex, or the end of a portal (`#V` + its number), where a leg begins or its portal does; none at a source.
+    pub(crate) fn start_of_leg(&self, leg: &Leg) -> Option<usize> {
+        match leg.root {
+            Root::Source(_) => None,
+            Root::Vertex(vertex) => Some(vertex.index()),
+            Root::End(end) => Some(self.values.len() + Portals::across(end) as usize),
+        }
+    }
+}
+
+impl Legs<'_> {
+    /// That of a vertex or of the end of a portal; none where it has no distance.
+    fn of(&mut self, stop: usize) -> Option<Leg> {
+        let front = self.front;
+        let (place, value, origin) = match stop.checked_sub(front.values.len()) {
+            None => (Place::Vertex(VertexId::from_index(stop)), front.values.as_slice()[stop], front.origins[stop]),
+            Some(end) => (front.ends.locations[end], front.ends.values[end], front.ends.origins[end]),
+        };
+        match origin {
+            Origin::None | Origin::Portal => None,
+            Origin::Straight { face, root } => self.straight(place, face, root),
+            Origin::Window { halfedge, root, at, x, depth } => {
+                let ray = Ray { halfedge, at, x, depth };
+                self.through((place, value), root, ray).or_else(|| self.by_corner(place, value))
+            }
+        }
+    }
+
+    /// Within one face.
+    fn straight(&self, place: Place, face: u32, root: u32) -> Option<Leg> {
+        let front = self.front;
+        let frame = front.geometry.frame(face);
+        let ends = [front.weights_of_root(root, face)?, front.geometry.weights_at(&front.surface, place, face)?];
+        let [[from_x, from_y], [to_x, to_y]] = ends.map(|weights| frame.place(0, weights));
+        let direction = c64::new(to_x - from_x, to_y - from_y);
+        let heading = |place: Place, direction: c64| {
+            let side = self.side_at(place, face);
+            Heading { side: 3 * face + side as u32, direction: from_side(frame, (0, side), direction) }
+        };
+        Some(Leg {
+            root: front.root(root),
+            departure: heading(front.place_of_root(root), direction),
+            arrival: heading(place, -direction),
+            is_mirrored: false,
+        })
+    }
+
+    /// Through a window's half-edge into the face where the place is; none where rounding has lost the line.
+    fn through(&mut self, (place, value): (Place, f64), root: u32, ray: Ray) -> Option<Leg> {
+        let front = self.front;
+        let (frame, k) = front.geometry.frame_of(ray.halfedge);
+        let face = ray.halfedge / 3;
+        let [x, y] = frame.place(k, front.geometry.weights_at(&front.surface, place, face)?);
+        let direction = c64::new(x - ray.x, y + ray.depth);
+        let side = self.side_at(place, face);
+        let arrival = Heading { side: 3 * face + side as u32, direction: from_side(frame, (k, side), -direction) };
+        let (root, side, turned) = match self.follow(ray, root, value)? {
+            End::Root { side, turned } => (front.root(root), side, turned),
+            End::Vertex { vertex, halfedge, turned } => {
+                let (frame, k) = front.geometry.frame_of(halfedge);
+                let side = if frame[k].vertex == vertex.0 { k } else { after(k) };
+                let turn = Turned { by: from_side(frame, (k, side), c64::new(1.0, 0.0)), is_mirrored: false };
+                (Root::Vertex(vertex), halfedge - k as u32 + side as u32, turned.then(&turn))
+            }
+        };
+        let departure = Heading { side, direction: turned.apply(direction) };
+        Some(Leg { root, departure, arrival, is_mirrored: turned.is_mirrored })
+    }
+
+    /// From the corner of a face here by which the distance is least: where rounding has lost the line, it passes that by about as little.
+    fn by_corner(&self, place: Place, value: f64) -> Option<Leg> {
+        let front = self.front;
+        let (face, corner) = front.nearer_corner(place, value)?;
+        self.straight(place, face, corner)
+    }
+
+    /// The corner of a face that a place is at, or the first.
+    fn side_at(&self, place: Place, face: u32) -> usize {
+        match self.front.geometry.settled(place) {
+            Place::Vertex(vertex) => self.front.geometry.frame(face).corner(vertex.0).unwrap_or(0),
+            _ => 0,
+        }
+    }
+
+    /// Follows a line to its root, or to a vertex on it that is nearer than `value`; none where it is lost.
+    fn follow(&mut self, first: Ray, root: u32, value: f64) -> Option<End> {
+        let front = self.front;
+        let near = first.near(front.geometry.grain);
+        self.steps.clear();
+        self.open.clear();
+        let (mut ray, mut turned) = (first, Turned::NOT);
+        let mut steps_left = 8 * front.geometry.frames.len() + 64;
+        loop {
+            if let Some(vertex) = front.passes(value, root, &ray) {
+                return Some(End::Vertex { vertex: VertexId(vertex), halfedge: ray.halfedge, turned });
+            }
+            if let Some(strip) = self.known(root, &ray) {
+                return Some(self.arrived(root, strip.side, turned.then(&strip.turned)));
+            }
+            self.steps.push(Step { ray, turned });
+            let count = self.steps.len();
+            let across = front.geometry.across(ray.halfedge);
+            self.open.extend(across.map(|(halfedge, is_mirrored)| (halfedge, is_mirrored, count)));
+            (ray, turned) = loop {
+                let (halfedge, is_mirrored, count) = self.open.pop().filter(|_| steps_left > 0)?;
+                steps_left -= 1;
+                self.steps.truncate(count);
+                let Step { ray: from, turned } = self.steps[count - 1];
+                let found = front.step(from, (halfedge, is_mirrored), (root, near));
+                let side = match found {
+                    Found::Lost => continue,
+                    Found::Arrived => self.side_at(front.place_of_root(root), halfedge / 3),
+                    Found::Leaves(next) => next.halfedge as usize % 3,
+                };
+                let (frame, k) = front.geometry.frame_of(halfedge);
+                // The half-edge across runs the other way, unless the face is mirrored.
+                let along = c64::new(if is_mirrored { 1.0 } else { -1.0 }, 0.0);
+                let turned = turned.then(&Turned { by: from_side(frame, (k, side), along), is_mirrored });
+                match found {
+                    Found::Leaves(next) => break (next, turned),
+                    _ => return Some(self.arrived(root, halfedge - k as u32 + side as u32, turned)),
+                }
+            };
+        }
+    }
+
+    /// What is known of the faces that a line comes through.
+    fn known(&self, root: u32, ray: &Ray) -> Option<Strip> {
+        let strip = self.strips[ray.halfedge as usize];
+        let close = SAME_STRIP * length(ray.x - ray.at, ray.depth);
+        let is_same = strip.root == root && length(strip.x - ray.x, strip.depth - ray.depth) <= close;
+        is_same.then_some(strip)
+    }
+
+    /// Lets half-edges remember the line that has been followed to its root: to a side there, turned so since it began.
+    fn arrived(&mut self, root: u32, side: u32, turned: Turned) -> End {
+        for Step { ray, turned: here } in &self.steps {
+            // Undone, what turned the plane until here leaves what turns it from here.
+            let by =
+                if here.is_mirrored == turned.is_mirrored { here.by.conj() * turned.by } else { here.by * turned.by };
+            let turned = Turned { by, is_mirrored: here.is_mirrored != turned.is_mirrored };
+            self.strips[ray.halfedge as usize] = Strip { root, side, x: ray.x, depth: ray.depth, turned };
+        }
+        End::Root { side, turned }
+    }
+}
