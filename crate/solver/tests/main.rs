@@ -9,6 +9,7 @@ mod convergence;
 mod costs;
 mod cracks;
 mod defects;
+mod directions;
 mod enclosed;
 mod exact;
 mod foreign;

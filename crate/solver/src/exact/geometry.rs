@@ -427,10 +427,20 @@ impl ExactGeometry {
         place.faces(surface).into_iter().map(|face| (face.0, place.weights_in(surface, face))).collect()
     }
 
-    /// The weights of a surface point in one of the faces that it lies on.
-    pub(super) fn weights_at(&self, surface: &Surface, location: Place, face: u32) -> Option<[f64; 3]> {
-        let place = location.snapped_within(surface, ON_EDGE);
-        place.lies_on(surface, FaceId(face)).then(|| place.weights_in(surface, FaceId(face)))
+    /// The weights of a [settled](Self::settled) place in one of the faces that it lies on.
+    #[inline]
+    pub(super) fn weights_at(&self, place: Place, face: u32) -> Option<[f64; 3]> {
+        match place {
+            // The frames of faces that lines cross are at hand.
+            Place::Vertex(vertex) => {
+                let corner = self.frame(face).corner(vertex.0)?;
+                Some(std::array::from_fn(|k| f64::from(u8::from(k == corner))))
+            }
+            Place::Face { face: own, weights } => (own.0 == face).then_some(weights),
+            Place::Edge { .. } => {
+                place.lies_on(&self.surface, FaceId(face)).then(|| place.weights_in(&self.surface, FaceId(face)))
+            }
+        }
     }
 }
 

@@ -7,12 +7,11 @@
 use heatwalk_sparse::c64;
 use heatwalk_surface::{Element, Place, VertexId};
 
-use super::geometry::{Frame, after, before};
+use super::geometry::{Frame, after};
 use super::origin::Origin;
 use super::portals::Portals;
 use super::ray::{Found, Ray};
 use super::wavefront::{Root, Wavefront};
-use super::window::length;
 use crate::error::Result;
 use crate::room;
 
@@ -20,6 +19,9 @@ use crate::room;
 /// of some thousand faces stays below. Had they passed a vertex on different sides, the root would come to lie apart by its curvature, times
 /// the vertex's distance from the root.
 const SAME_STRIP: f64 = 1e-12;
+
+/// One of so many half-edges remembers: lines cross some dozens, and what they remember takes longer to fetch than a face to cross.
+const REMEMBERS: u32 = 4;
 
 /// A direction in a face, of any length, as a complex number: the half-edge `side` of the face has the direction 1.
 #[derive(Debug, Clone, Copy)]
@@ -50,16 +52,19 @@ struct Turned {
 impl Turned {
     const NOT: Self = Self { by: c64::new(1.0, 0.0), is_mirrored: false };
 
+    #[inline(always)]
     fn apply(&self, direction: c64) -> c64 {
         self.by * if self.is_mirrored { direction.conj() } else { direction }
     }
 
+    #[inline(always)]
     fn then(&self, next: &Self) -> Self {
         Self { by: next.apply(self.by), is_mirrored: self.is_mirrored != next.is_mirrored }
     }
 }
 
 /// A direction that is seen from half-edge `from` of a face, as half-edge `to` sees it.
+#[inline(always)]
 fn from_side(frame: &Frame, (from, to): (usize, usize), direction: c64) -> c64 {
     if to == from {
         direction
@@ -93,7 +98,15 @@ enum End {
     Vertex { vertex: VertexId, halfedge: u32, turned: Turned },
 }
 
-/// A step of the line that is followed.
+/// What a step into a face finds, as [`Found`].
+enum Entered {
+    Arrived { side: u32, turned: Turned },
+    Leaves(Step),
+    Lost,
+}
+
+/// Where the line that is followed leaves a face.
+#[derive(Debug, Clone, Copy)]
 struct Step {
     ray: Ray,
     /// From the half-edge where the line began.
@@ -103,12 +116,12 @@ struct Step {
 /// Finds legs.
 struct Legs<'a> {
     front: &'a Wavefront,
-    /// `3 #F`, what was last found of each half-edge.
+    /// What was last found of each half-edge that [remembers](REMEMBERS).
     strips: Vec<Strip>,
-    /// Kept for its memory.
+    /// Those of these half-edges that the line has passed; kept for its memory.
     steps: Vec<Step>,
-    /// Faces still to try, each after so many steps; kept for its memory.
-    open: Vec<(u32, bool, usize)>,
+    /// Half-edges to enter faces by that are still to try, each with the step before and so many that are remembered; kept for its memory.
+    open: Vec<(Step, (u32, bool), usize)>,
 }
 
 impl Wavefront {
@@ -118,9 +131,9 @@ impl Wavefront {
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub(crate) fn for_each_leg(&self, mut tell: impl FnMut(usize, &Leg)) -> Result<()> {
-        let mut strips = Vec::new();
-        strips.try_reserve_exact(3 * self.surface.face_count()).map_err(|_| room::REFUSED)?;
-        strips.resize(3 * self.surface.face_count(), UNKNOWN);
+        let (mut strips, count) = (Vec::new(), (3 * self.surface.face_count()).div_ceil(REMEMBERS as usize));
+        strips.try_reserve_exact(count).map_err(|_| room::REFUSED)?;
+        strips.resize(count, UNKNOWN);
         let mut legs = Legs { front: self, strips, steps: Vec::new(), open: Vec::new() };
         let mut is_told = vec![false; self.values.len() + self.ends.values.len()];
         let mut open = Vec::new();
@@ -158,7 +171,7 @@ impl Legs<'_> {
         let front = self.front;
         let (place, value, origin) = match stop.checked_sub(front.values.len()) {
             None => (Place::Vertex(VertexId::from_index(stop)), front.values.as_slice()[stop], front.origins[stop]),
-            Some(end) => (front.ends.locations[end], front.ends.values[end], front.ends.origins[end]),
+            Some(end) => (front.geometry.settled(front.ends.locations[end]), front.ends.values[end], front.ends.origins[end]),
         };
         match origin {
             Origin::None | Origin::Portal => None,
@@ -174,7 +187,8 @@ impl Legs<'_> {
     fn straight(&self, place: Place, face: u32, root: u32) -> Option<Leg> {
         let front = self.front;
         let frame = front.geometry.frame(face);
-        let ends = [front.weights_of_root(root, face)?, front.geometry.weights_at(&front.surface, place, face)?];
+        let from = front.geometry.settled(front.place_of_root(root));
+        let ends = [front.geometry.weights_at(from, face)?, front.geometry.weights_at(place, face)?];
         let [[from_x, from_y], [to_x, to_y]] = ends.map(|weights| frame.place(0, weights));
         let direction = c64::new(to_x - from_x, to_y - from_y);
         let heading = |place: Place, direction: c64| {
@@ -183,7 +197,7 @@ impl Legs<'_> {
         };
         Some(Leg {
             root: front.root(root),
-            departure: heading(front.place_of_root(root), direction),
+            departure: heading(from, direction),
             arrival: heading(place, -direction),
             is_mirrored: false,
         })
@@ -194,7 +208,7 @@ impl Legs<'_> {
         let front = self.front;
         let (frame, k) = front.geometry.frame_of(ray.halfedge);
         let face = ray.halfedge / 3;
-        let [x, y] = frame.place(k, front.geometry.weights_at(&front.surface, place, face)?);
+        let [x, y] = frame.place(k, front.geometry.weights_at(place, face)?);
         let direction = c64::new(x - ray.x, y + ray.depth);
         let side = self.side_at(place, face);
         let arrival = Heading { side: 3 * face + side as u32, direction: from_side(frame, (k, side), -direction) };
@@ -218,9 +232,9 @@ impl Legs<'_> {
         self.straight(place, face, corner)
     }
 
-    /// The corner of a face that a place is at, or the first.
+    /// The corner of a face that a settled place is at, or the first.
     fn side_at(&self, place: Place, face: u32) -> usize {
-        match self.front.geometry.settled(place) {
+        match place {
             Place::Vertex(vertex) => self.front.geometry.frame(face).corner(vertex.0).unwrap_or(0),
             _ => 0,
         }
@@ -229,50 +243,71 @@ impl Legs<'_> {
     /// Follows a line to its root, or to a vertex on it that is nearer than `value`; none where it is lost.
     fn follow(&mut self, first: Ray, root: u32, value: f64) -> Option<End> {
         let front = self.front;
+        let source = front.geometry.settled(front.place_of_root(root));
         let near = first.near(front.geometry.grain);
         self.steps.clear();
         self.open.clear();
-        let (mut ray, mut turned) = (first, Turned::NOT);
+        let mut here = Step { ray: first, turned: Turned::NOT };
         let mut steps_left = 8 * front.geometry.frames.len() + 64;
         loop {
-            if let Some(vertex) = front.passes(value, root, &ray) {
-                return Some(End::Vertex { vertex: VertexId(vertex), halfedge: ray.halfedge, turned });
+            if let Some(vertex) = front.passes(value, root, &here.ray) {
+                let (vertex, halfedge) = (VertexId(vertex), here.ray.halfedge);
+                return Some(End::Vertex { vertex, halfedge, turned: here.turned });
             }
-            if let Some(strip) = self.known(root, &ray) {
-                return Some(self.arrived(root, strip.side, turned.then(&strip.turned)));
+            if here.ray.halfedge.is_multiple_of(REMEMBERS) {
+                if let Some(&Strip { side, turned, .. }) = self.known(root, &here.ray) {
+                    return Some(self.arrived(root, side, here.turned.then(&turned)));
+                }
+                self.steps.push(here);
             }
-            self.steps.push(Step { ray, turned });
-            let count = self.steps.len();
-            let across = front.geometry.across(ray.halfedge);
-            self.open.extend(across.map(|(halfedge, is_mirrored)| (halfedge, is_mirrored, count)));
-            (ray, turned) = loop {
-                let (halfedge, is_mirrored, count) = self.open.pop().filter(|_| steps_left > 0)?;
-                steps_left -= 1;
-                self.steps.truncate(count);
-                let Step { ray: from, turned } = self.steps[count - 1];
-                let found = front.step(from, (halfedge, is_mirrored), (root, near));
-                let side = match found {
-                    Found::Lost => continue,
-                    Found::Arrived => self.side_at(front.place_of_root(root), halfedge / 3),
-                    Found::Leaves(next) => next.halfedge as usize % 3,
-                };
-                let (frame, k) = front.geometry.frame_of(halfedge);
-                // The half-edge across runs the other way, unless the face is mirrored.
-                let along = c64::new(if is_mirrored { 1.0 } else { -1.0 }, 0.0);
-                let turned = turned.then(&Turned { by: from_side(frame, (k, side), along), is_mirrored });
-                match found {
-                    Found::Leaves(next) => break (next, turned),
-                    _ => return Some(self.arrived(root, halfedge - k as u32 + side as u32, turned)),
+            steps_left = steps_left.checked_sub(1)?;
+            let (frame, k) = front.geometry.frame_of(here.ray.halfedge);
+            let mut entered = match frame[k].twin() {
+                Some(twin) => self.enter(here, (twin, false), (source, near)),
+                None => {
+                    let across = front.geometry.across(here.ray.halfedge);
+                    self.open.extend(across.map(|across| (here, across, self.steps.len())));
+                    Entered::Lost
                 }
             };
+            while matches!(entered, Entered::Lost) {
+                let (from, across, count) = self.open.pop()?;
+                self.steps.truncate(count);
+                entered = self.enter(from, across, (source, near));
+            }
+            match entered {
+                Entered::Leaves(step) => here = step,
+                Entered::Arrived { side, turned } => return Some(self.arrived(root, side, turned)),
+                Entered::Lost => return None,
+            }
+        }
+    }
+
+    /// Takes a line across an edge, as [`Wavefront::step`].
+    #[inline(always)]
+    fn enter(&self, from: Step, (halfedge, is_mirrored): (u32, bool), goal: (Place, f64)) -> Entered {
+        match self.front.step(from.ray, (halfedge, is_mirrored), goal) {
+            Found::Lost => Entered::Lost,
+            Found::Leaves(ray, by) => {
+                let by = if is_mirrored { -by } else { by };
+                Entered::Leaves(Step { ray, turned: from.turned.then(&Turned { by, is_mirrored }) })
+            }
+            Found::Arrived => {
+                let (frame, k) = self.front.geometry.frame_of(halfedge);
+                let side = self.side_at(goal.0, halfedge / 3);
+                // The half-edge across runs the other way, unless the face is mirrored.
+                let along = c64::new(if is_mirrored { 1.0 } else { -1.0 }, 0.0);
+                let turned = from.turned.then(&Turned { by: from_side(frame, (k, side), along), is_mirrored });
+                Entered::Arrived { side: halfedge - k as u32 + side as u32, turned }
+            }
         }
     }
 
     /// What is known of the faces that a line comes through.
-    fn known(&self, root: u32, ray: &Ray) -> Option<Strip> {
-        let strip = self.strips[ray.halfedge as usize];
-        let close = SAME_STRIP * length(ray.x - ray.at, ray.depth);
-        let is_same = strip.root == root && length(strip.x - ray.x, strip.depth - ray.depth) <= close;
+    fn known(&self, root: u32, ray: &Ray) -> Option<&Strip> {
+        let strip = &self.strips[(ray.halfedge / REMEMBERS) as usize];
+        let close = SAME_STRIP * ((ray.x - ray.at).abs() + ray.depth);
+        let is_same = strip.root == root && (strip.x - ray.x).abs() + (strip.depth - ray.depth).abs() <= close;
         is_same.then_some(strip)
     }
 
@@ -283,7 +318,7 @@ impl Legs<'_> {
             let by =
                 if here.is_mirrored == turned.is_mirrored { here.by.conj() * turned.by } else { here.by * turned.by };
             let turned = Turned { by, is_mirrored: here.is_mirrored != turned.is_mirrored };
-            self.strips[ray.halfedge as usize] = Strip { root, side, x: ray.x, depth: ray.depth, turned };
+            self.strips[(ray.halfedge / REMEMBERS) as usize] = Strip { root, side, x: ray.x, depth: ray.depth, turned };
         }
         End::Root { side, turned }
     }

@@ -1,10 +1,12 @@
 //! Straight lines, followed back to their source from face to face.
 
+use heatwalk_sparse::c64;
 use heatwalk_surface::{Place, VertexId};
 
 use super::geometry::{after, before};
 use super::wavefront::Wavefront;
 use super::window::length;
+use crate::extremum::{larger, smaller};
 
 /// A line that passes a vertex at no more than this share of its length may go through it instead, if the vertex's
 /// value agrees: the ends of windows are rays through vertices, and rounding must not choose a side there.
@@ -29,8 +31,9 @@ pub(super) struct Ray {
 pub(super) enum Found {
     /// The source.
     Arrived,
-    /// A way out.
-    Leaves(Ray),
+    /// A way out, and what turns directions from the frame of the half-edge before to the one there, both seen from the faces that they
+    /// are left by; that of a mirrored face turns by half a turn more.
+    Leaves(Ray, c64),
     /// Nothing: the line belongs to another face of the edge, and ends here without having met the source.
     Lost,
 }
@@ -44,8 +47,10 @@ impl Ray {
 
 impl Wavefront {
     /// Takes a ray into the face of `half-edge`, on the far side of its edge; `is_mirrored` where that half-edge runs in the
-    /// ray's half-edge's direction.
-    pub(super) fn step(&self, ray: Ray, (halfedge, is_mirrored): (u32, bool), (root, near): (u32, f64)) -> Found {
+    /// ray's half-edge's direction. Its source is at a place, which the geometry has [settled](super::ExactGeometry::settled), and is met
+    /// by what comes as near as `near`.
+    #[inline(always)]
+    pub(super) fn step(&self, ray: Ray, (halfedge, is_mirrored): (u32, bool), (source, near): (Place, f64)) -> Found {
         let (frame, k) = self.geometry.frame_of(halfedge);
         let (l, r) = (before(k), after(k));
         let across = frame[k].length;
@@ -53,7 +58,7 @@ impl Wavefront {
         let turn = |x: f64| if is_mirrored { x } else { across - x };
         let (at, x, y) = (turn(ray.at), turn(ray.x), ray.depth);
         let opposite = frame.opposite(k);
-        if let Some(weights) = self.weights_of_root(root, halfedge / 3) {
+        if let Some(weights) = self.geometry.weights_at(source, halfedge / 3) {
             let [root_x, root_y] = frame.place(k, weights);
             if length(root_x - x, root_y - y) <= near {
                 return Found::Arrived;
@@ -61,31 +66,41 @@ impl Wavefront {
         }
         let [forward, up] = [x - at, y];
         // A source on this edge that is none of the face's corners lies beyond it, where the face is flat.
-        let is_here = length(forward, up) <= near;
+        let is_here = up <= near && length(forward, up) <= near;
         let is_left = if is_here { x <= opposite[0] } else { (opposite[0] - at) * up - opposite[1] * forward >= 0.0 };
-        let (out, from_end, cos, sin) =
-            if is_left { (l, at, frame[k].cos, frame[k].sin) } else { (r, across - at, frame[r].cos, frame[r].sin) };
-        let out_length = frame[out].length;
         // From the end that both edges share.
-        let [aside, towards] = if is_left { [x, -forward] } else { [across - x, forward] };
+        let (out, corner, from_end, aside, towards) =
+            if is_left { (l, k, at, x, -forward) } else { (r, r, across - at, across - x, forward) };
+        let (cos, sin, out_length) = (frame[corner].cos, frame[corner].sin, frame[out].length);
         let closing = cos * up + sin * towards;
-        let meets = if closing > 0.0 { (from_end * up / closing).min(out_length) } else { out_length };
+        let meets = if closing > 0.0 { smaller(from_end * up / closing, out_length) } else { out_length };
         let (along, depth) = (aside * cos + y * sin, y * cos - aside * sin);
         if depth.is_nan() || depth < -BEHIND * (out_length + y) || (is_here && depth > near) {
             return Found::Lost;
         }
-        let (at, x) = if is_left { (out_length - meets, out_length - along) } else { (meets, along) };
+        let (at, x, turn) = if is_left {
+            (out_length - meets, out_length - along, c64::new(cos, -sin))
+        } else {
+            (meets, along, c64::new(cos, sin))
+        };
         let at = if is_here { x.clamp(0.0, out_length) } else { at };
-        Found::Leaves(Ray { halfedge: halfedge - k as u32 + out as u32, at, x, depth: depth.max(0.0) })
+        let halfedge = halfedge - k as u32 + out as u32;
+        Found::Leaves(Ray { halfedge, at, x, depth: larger(depth, 0.0) }, turn)
     }
 
     /// The end of the half-edge that a ray passes through, if the path may continue from there: to a place at this distance, straight from
     /// a root.
+    #[inline(always)]
     pub(super) fn passes(&self, to: f64, root: u32, ray: &Ray) -> Option<u32> {
         let (frame, k) = self.geometry.frame_of(ray.halfedge);
+        let ends = [(frame[k].vertex, ray.at), (frame[after(k)].vertex, frame[k].length - ray.at)];
+        // Most lines pass far from both, which a longer way than the line tells.
+        let bound = SNAP * ((ray.x - ray.at).abs() + ray.depth) + self.geometry.grain;
+        if smaller(ends[0].1, ends[1].1) > bound {
+            return None;
+        }
         let left = length(ray.x - ray.at, ray.depth);
         let near = SNAP * left + self.geometry.grain;
-        let ends = [(frame[k].vertex, ray.at), (frame[after(k)].vertex, frame[k].length - ray.at)];
         let (vertex, _) = ends.into_iter().find(|&(_, distance)| distance <= near)?;
         let value = self.values[VertexId(vertex)];
         (value < to && value <= self.value_of_root(root) + left + 2.0 * near).then_some(vertex)

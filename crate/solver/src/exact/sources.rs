@@ -261,7 +261,7 @@ impl Wavefront {
 
     /// Barycentric weights in a face of a vertex or source that windows start from.
     pub(super) fn weights_of_root(&self, root: u32, face: u32) -> Option<[f64; 3]> {
-        self.geometry.weights_at(&self.surface, self.place_of_root(root), face)
+        self.geometry.weights_at(self.geometry.settled(self.place_of_root(root)), face)
     }
 
     /// Lights the faces around a vertex from one border of its shadow to the other, or to the boundary.

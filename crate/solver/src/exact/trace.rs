@@ -6,7 +6,6 @@ use super::origin::Origin;
 use super::portals::Portals;
 use super::ray::{Found, Ray};
 use super::wavefront::{Root, Wavefront};
-use super::window::length;
 use crate::dijkstra;
 use crate::error::{Error, Result};
 
@@ -171,6 +170,7 @@ impl Trace<'_> {
         let mut ray = first;
         let begin = self.points.len();
         let near = first.near(front.geometry.grain);
+        let source = front.geometry.settled(front.place_of_root(root));
         loop {
             let inside = ray.halfedge / 3;
             if let Some(vertex) = front.passes(start.value, root, &ray) {
@@ -191,9 +191,9 @@ impl Trace<'_> {
                 };
                 steps_left -= 1;
                 self.points.truncate(length);
-                match front.step(from, (halfedge, is_mirrored), (root, near)) {
+                match front.step(from, (halfedge, is_mirrored), (source, near)) {
                     Found::Arrived => return Some(End::Root(halfedge / 3)),
-                    Found::Leaves(next) => {
+                    Found::Leaves(next, _) => {
                         ray = next;
                         break;
                     }
