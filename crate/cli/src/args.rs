@@ -8,12 +8,12 @@ use anyhow::Result;
 use clap::error::ErrorKind;
 use clap::{ArgGroup, Args, Parser, Subcommand};
 use glam::DVec3;
-use heatwalk::{BridgeRule, DistanceOptions, MultiSource, Parameters, UnitRule, Up, WeldRule};
+use heatwalk::{BridgeRule, Choice, DistanceOptions, Method, MultiSource, Parameters, UnitRule, Up, WeldRule};
 
 use crate::ground::Ground;
 use crate::method::{MethodOptions, Methods};
 use crate::options::{Linear, Options, choice, chosen};
-use crate::place::{Line, Place, SourcePlace};
+use crate::place::{Line, Place, PlacedVector, SourcePlace, vector};
 
 /// Geodesic distance and paths on meshes.
 #[derive(Parser)]
@@ -37,6 +37,10 @@ pub enum Command {
     Sample(Sample),
     /// Walk straight on over the surface, from a place in a direction
     Walk(Walk),
+    /// Directions and lengths of the shortest paths from a source to all vertices
+    LogMap(LogMap),
+    /// Carry tangent vectors to all vertices, parallel along shortest paths
+    Transport(Transport),
     /// Fill a closed surface with tetrahedra
     Fill(Fill),
     /// Time both linear solvers of the heat method on each mesh
@@ -278,6 +282,54 @@ pub struct Walk {
 }
 
 #[derive(Args)]
+pub struct LogMap {
+    #[command(flatten)]
+    pub mesh: Mesh,
+    #[command(flatten)]
+    pub bridging: Bridging,
+    /// The source: a vertex V, or a place F:b0,b1,b2 in a triangle
+    #[arg(long, value_name = "P")]
+    pub source: Place,
+    /// The direction there that u is along, of any length; its part along the surface counts. Without it the x axis, or the y axis where
+    /// the surface faces along x
+    #[arg(long, value_name = "X,Y,Z", value_parser = direction, allow_hyphen_values = true)]
+    pub direction: Option<DVec3>,
+    #[command(flatten)]
+    pub method: ByExactPaths,
+    /// Write u and v of each vertex to a .csv file
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Args)]
+#[command(group = ArgGroup::new("turned").multiple(true))]
+pub struct Transport {
+    #[command(flatten)]
+    pub mesh: Mesh,
+    #[command(flatten)]
+    pub bridging: Bridging,
+    /// A vector at a vertex V or a place F:b0,b1,b2 in a triangle, of which the part along the surface counts; may be repeated, and each
+    /// vertex then takes that of the nearest
+    #[arg(long = "vector", value_name = "P:X,Y,Z", required = true, allow_hyphen_values = true)]
+    pub vectors: Vec<PlacedVector>,
+    #[command(flatten)]
+    pub method: ByExactPaths,
+    /// Write the vector of each vertex to a .csv file
+    #[arg(long, value_name = "FILE", group = "turned")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub axis: UpAxis,
+}
+
+/// How directions are found. There is one way.
+#[derive(Args)]
+pub struct ByExactPaths {
+    /// How shortest paths are found
+    #[arg(long = "method", value_name = "METHOD", value_parser = [Method::Exact.name()], default_value = Method::Exact.name())]
+    pub name: String,
+}
+
+#[derive(Args)]
 pub struct Fill {
     #[command(flatten)]
     pub mesh: Mesh,
@@ -370,9 +422,7 @@ fn links(text: &str) -> Result<usize, String> {
 
 /// A direction in space.
 fn direction(text: &str) -> Result<DVec3, String> {
-    let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.parse().ok()).collect();
-    let direction = numbers.and_then(|numbers| numbers.try_into().ok()).map(DVec3::from_array);
-    let direction = direction.filter(|direction| direction.try_normalize().is_some());
+    let direction = vector(text).filter(|direction| direction.try_normalize().is_some());
     direction.ok_or_else(|| "give a direction as three numbers, such as 0,0,1".to_owned())
 }
 
@@ -391,7 +441,7 @@ fn positive(text: &str) -> Result<f64, String> {
 /// The first paragraph of clap's message, on one line; the rest is its help.
 pub fn in_one_sentence(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "give a command: info, distance, path, isolines, sample, walk, fill or table; heatwalk --help tells more".to_owned();
+        return "give a command: info, distance, path, isolines, sample, walk, log-map, transport, fill or table; heatwalk --help tells more".to_owned();
     }
     let text = error.render().to_string();
     let paragraph = text.split("\n\n").next().unwrap_or_default();

@@ -12,11 +12,13 @@ use crate::distance::distance;
 use crate::fill::fill;
 use crate::input::Input;
 use crate::isolines::isolines;
+use crate::log_map::log_map;
 use crate::path::path;
 use crate::report::Report;
 use crate::sample::sample;
 use crate::table::table;
 use crate::timing::{build, join};
+use crate::transport::transport;
 use crate::volume;
 use crate::walk::walk;
 
@@ -29,6 +31,8 @@ pub fn run(command: &Command) -> Result<Answer> {
         Command::Fill(arguments) => fill(arguments).map(Answer::from),
         Command::Sample(arguments) => sample(arguments).map(Answer::from),
         Command::Walk(arguments) => walk(arguments).map(Answer::from),
+        Command::LogMap(arguments) => log_map(arguments).map(Answer::from),
+        Command::Transport(arguments) => transport(arguments).map(Answer::from),
         Command::Table(arguments) => Ok(table(arguments)),
     }
 }

@@ -10,6 +10,7 @@ mod fill;
 mod ground;
 mod input;
 mod isolines;
+mod log_map;
 mod markdown;
 mod method;
 mod options;
@@ -22,6 +23,7 @@ mod sample;
 mod sentence;
 mod table;
 mod timing;
+mod transport;
 mod volume;
 mod walk;
 

@@ -44,6 +44,10 @@ pub enum PathFormat {
 #[derive(Clone, Copy)]
 pub struct PlacesCsv;
 
+/// Numbers of each vertex.
+#[derive(Clone, Copy)]
+pub struct VerticesCsv;
+
 #[derive(Clone, Copy)]
 pub enum FillFormat {
     Msh,
@@ -157,6 +161,20 @@ impl Output<PlacesCsv> {
             let _ = writeln!(text, "{place},{x:.16e},{y:.16e},{z:.16e}");
         }
         self.save(text.as_bytes())
+    }
+}
+
+impl Output<VerticesCsv> {
+    /// `what`: what they are called.
+    pub fn of_vertices(path: &Path, what: &str) -> Result<Self> {
+        Self::by_extension(path, what, &[("csv", VerticesCsv)])
+    }
+
+    /// Named numbers, one value an input vertex.
+    pub fn write(&self, columns: &[(&str, Vec<f64>)]) -> Result<()> {
+        self.save(&write::distance_csv(
+            &columns.iter().map(|(name, values)| (*name, values.as_slice())).collect::<Vec<_>>(),
+        ))
     }
 }
 

@@ -4,6 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use anyhow::{Context, Result, bail, ensure};
+use glam::DVec3;
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
     Element, FaceId, InputTriangle, InputVertex, Soup, Source, Surface, SurfacePoint, VertexId, edge_polyline,
@@ -30,6 +31,13 @@ pub enum Place {
 pub struct SourcePlace {
     pub place: Place,
     pub initial_distance: f64,
+}
+
+/// A vector at a place, `P:X,Y,Z`.
+#[derive(Debug, Clone, Copy)]
+pub struct PlacedVector {
+    pub place: Place,
+    pub vector: DVec3,
 }
 
 /// Vertices `V,V[,V...]` that a line of sources goes through.
@@ -83,6 +91,24 @@ impl FromStr for SourcePlace {
             _ => Err("after @ give the distance that the source starts from, 0 or more, such as 12@0.5".to_owned()),
         }
     }
+}
+
+impl FromStr for PlacedVector {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = text.rsplit_once(':').and_then(|(place, numbers)| Some((place, vector(numbers)?)));
+        let (place, vector) = parts.ok_or_else(|| {
+            "give a place and a vector of three numbers there, such as 12:1,0,0 or 5:0.2,0.3,0.5:1,0,0".to_owned()
+        })?;
+        Ok(Self { place: place.parse()?, vector })
+    }
+}
+
+/// A vector in space, of three numbers.
+pub fn vector(text: &str) -> Option<DVec3> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.parse().ok()).collect();
+    numbers.and_then(|numbers| numbers.try_into().ok()).map(DVec3::from_array)
 }
 
 impl FromStr for Line {

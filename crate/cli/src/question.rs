@@ -3,7 +3,7 @@
 use anyhow::Result;
 use heatwalk::{DistanceOptions, DistanceSolver, Source, Up};
 
-use crate::args::{Mesh, Question, Solving};
+use crate::args::{Bridging, Mesh, Question, Solving};
 use crate::input::Input;
 use crate::report::Report;
 use crate::timing::{Prepared, build, join, prepare};
@@ -38,11 +38,28 @@ pub fn pose(question: &Question, up: Up, options: &DistanceOptions) -> Result<Po
 /// The solver of a surface with its bridges, walls and costs, what is to be told of it, and the milliseconds that it took. `up`: the axis
 /// of the file that the ground is measured against.
 pub fn walkable(input: &Input, mesh: &Mesh, solving: &Solving, up: Up) -> Result<(DistanceSolver, Report, f64)> {
+    let (mut solver, built_ms) = unjoined(input, mesh)?;
+    solving.ground.lay(&mut solver, &input.model, up)?;
+    with_bridges((solver, built_ms), input, &solving.bridging)
+}
+
+/// The same without walls and costs.
+pub fn joined(input: &Input, mesh: &Mesh, bridging: &Bridging) -> Result<(DistanceSolver, Report, f64)> {
+    with_bridges(unjoined(input, mesh)?, input, bridging)
+}
+
+fn unjoined(input: &Input, mesh: &Mesh) -> Result<(DistanceSolver, f64)> {
     let threads = mesh.threads();
     let (surface, built_ms) = build(input, mesh.weld, threads)?;
-    let mut solver = DistanceSolver::on_threads(surface, threads);
-    solving.ground.lay(&mut solver, &input.model, up)?;
-    let join_ms = join(&mut solver, &solving.bridging)?;
+    Ok((DistanceSolver::on_threads(surface, threads), built_ms))
+}
+
+fn with_bridges(
+    (mut solver, built_ms): (DistanceSolver, f64),
+    input: &Input,
+    bridging: &Bridging,
+) -> Result<(DistanceSolver, Report, f64)> {
+    let join_ms = join(&mut solver, bridging)?;
     let mut report = Report::default();
     report.push_surface(solver.whole().report());
     report.push_unit(input.unit);

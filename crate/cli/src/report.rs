@@ -164,7 +164,7 @@ impl Report {
                 }),
                 // Those have been told on standard error.
                 Value::Array(_) if name == "warnings" => Ok(()),
-                Value::Array(numbers) if name == "end" || name == "direction" => {
+                Value::Array(numbers) if name == "end" || name == "direction" || name.ends_with(" axis") => {
                     let numbers: Vec<String> = numbers.iter().map(Value::to_string).collect();
                     writeln!(text, "{name:<22} {}", numbers.join(","))
                 }

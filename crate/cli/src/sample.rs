@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::{Result, ensure};
-use heatwalk::{DistanceSolver, Element, SampleCount, Surface, VertexId, farthest_samples, go_on};
+use heatwalk::{Element, SampleCount, Surface, VertexId, farthest_samples, go_on};
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::SplitMix64;
 use serde_json::json;
@@ -12,8 +12,8 @@ use serde_json::json;
 use crate::args::Sample;
 use crate::input::Input;
 use crate::output::Output;
-use crate::report::{Report, milliseconds};
-use crate::timing::{build, join};
+use crate::question::joined;
+use crate::report::milliseconds;
 use crate::volume;
 
 /// Spreads samples over a surface.
@@ -24,15 +24,8 @@ pub fn sample(arguments: &Sample) -> Result<String> {
     );
     let output = arguments.output.as_deref().map(Output::places).transpose()?;
     let input = Input::of(&arguments.mesh)?;
-    let threads = arguments.mesh.threads();
-    let (surface, build_ms) = build(&input, arguments.mesh.weld, threads)?;
-    let mut report = Report::default();
-    report.push_surface(surface.report());
-    report.push_unit(input.unit);
-    report.push_warnings(&input.file.soup.warnings);
-    let mut solver = DistanceSolver::on_threads(Arc::clone(&surface), threads);
-    let join_ms = join(&mut solver, &arguments.bridging)?;
-    report.push_joined(solver.joined());
+    let (mut solver, mut report, build_ms) = joined(&input, &arguments.mesh, &arguments.bridging)?;
+    let surface = Arc::clone(solver.surface());
     let start = Instant::now();
     let first = match arguments.seed {
         None => first_vertex(&surface),
@@ -53,7 +46,7 @@ pub fn sample(arguments: &Sample) -> Result<String> {
     report.push("samples", numbers.len());
     report.push("covering_radius", samples.covering_radius());
     report.push("places", numbers);
-    report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms + join_ms, "sample": sample_ms }));
+    report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "sample": sample_ms }));
     Ok(report.render(arguments.mesh.json))
 }
 

@@ -171,7 +171,9 @@ impl Legs<'_> {
         let front = self.front;
         let (place, value, origin) = match stop.checked_sub(front.values.len()) {
             None => (Place::Vertex(VertexId::from_index(stop)), front.values.as_slice()[stop], front.origins[stop]),
-            Some(end) => (front.geometry.settled(front.ends.locations[end]), front.ends.values[end], front.ends.origins[end]),
+            Some(end) => {
+                (front.geometry.settled(front.ends.locations[end]), front.ends.values[end], front.ends.origins[end])
+            }
         };
         match origin {
             Origin::None | Origin::Portal => None,
