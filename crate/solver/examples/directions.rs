@@ -1,25 +1,30 @@
-//! The log map against exact paths: how long it takes beside the distances, and the angles between.
+//! The log map beside distances, in time, and against exact paths, in degrees; and vectors carried over the unit sphere.
 //!
 //! `cargo run --release -p heatwalk --example directions -- MESH...`
 
 use std::error::Error;
 use std::fs;
+use std::hint::black_box;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
-use glam::DVec2;
+use glam::{DQuat, DVec3, dvec2};
 use heatwalk::exact::{ExactGeometry, Wavefront};
-use heatwalk::{Element, Surface, VertexId, go_on, log_map};
+use heatwalk::{Element, FaceId, Place, Surface, VertexId, go_on, log_map, transport};
 use heatwalk_model::io;
+use heatwalk_shapes::icosphere;
 
-const RUNS: usize = 9;
+/// Pairs of a search and a log map that are timed.
+const RUNS: usize = 15;
 
 fn main() -> Result<(), Box<dyn Error>> {
+    println!("| mesh | distances, ms | log map / distances, median | degrees from exact paths, median / 95 % / max |");
+    println!("|---|---|---|---|");
     for path in std::env::args().skip(1) {
         measure(Path::new(&path))?;
     }
-    Ok(())
+    sphere()
 }
 
 fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
@@ -28,21 +33,63 @@ fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
     let soup = io::read(&name, &fs::read(path)?, &|uri| fs::read(folder.join(uri)).ok())?.soup;
     let surface = Arc::new(Surface::build(&soup)?);
     let geometry = Arc::new(ExactGeometry::new(Arc::clone(&surface)));
-    let source = VertexId::from_index(surface.vertex_count() / 3);
-    let mut times = [Vec::new(), Vec::new()];
-    for _ in 0..RUNS {
-        let start = Instant::now();
+    let face = FaceId::from_index(surface.face_count() / 3);
+    let source = Place::Face { face, weights: [0.5, 0.2, 0.3] };
+    let search = || -> heatwalk::Result<Wavefront> {
         let mut front = Wavefront::new(Arc::clone(&geometry), &[source])?;
         while !front.advance(f64::INFINITY, 20_000)? {}
-        std::hint::black_box(front.into_values());
-        times[0].push(start.elapsed().as_secs_f64());
+        Ok(front)
+    };
+    let (mut fields, mut ratios) = (Vec::new(), Vec::new());
+    for _ in 0..RUNS {
         let start = Instant::now();
-        std::hint::black_box(log_map(&geometry, source, None, &mut go_on)?);
-        times[1].push(start.elapsed().as_secs_f64());
+        black_box(search()?.into_values());
+        let field = start.elapsed().as_secs_f64();
+        let start = Instant::now();
+        black_box(log_map(&geometry, source, None, &mut go_on)?);
+        fields.push(1e3 * field);
+        ratios.push(start.elapsed().as_secs_f64() / field);
     }
-    times.iter_mut().for_each(|times| times.sort_by(f64::total_cmp));
-    let [field, log] = [0, 1].map(|k| times[k][RUNS / 2]);
-    println!("{name}: {:.1} ms, {:.1} ms, {:.3}", field * 1e3, log * 1e3, log / field);
-    let _ = DVec2::X;
+    let (map, front) = (log_map(&geometry, source, None, &mut go_on)?, search()?);
+    let mut angles = Vec::new();
+    for vertex in surface.vertices().filter(|&vertex| front.values()[vertex].is_finite()) {
+        let path = front.path_from_vertex(vertex)?;
+        if let [.., before, end] = &path.points[..] {
+            let first = before.position - end.position;
+            let expected = dvec2(first.dot(map.axes[0]), first.dot(map.axes[1]));
+            angles.push(map.coordinates[vertex].angle_to(expected).abs().to_degrees());
+        }
+    }
+    let [field, ratio] = [&mut fields, &mut ratios].map(|values| share(values, 0.5));
+    let [median, most, largest] = [0.5, 0.95, 1.0].map(|part| share(&mut angles, part));
+    println!("| {name} | {field:.1} | {ratio:.2} | {median:.1e} / {most:.1e} / {largest:.1e} |");
     Ok(())
+}
+
+/// On three quarters of the unit sphere, whose great circles turn vectors about their axes.
+fn sphere() -> Result<(), Box<dyn Error>> {
+    let surface = Arc::new(Surface::build(&icosphere(5))?);
+    let geometry = Arc::new(ExactGeometry::new(Arc::clone(&surface)));
+    let mut errors = Vec::new();
+    for source in (0..surface.vertex_count() as u32).step_by(997).map(VertexId) {
+        let start = surface.position(source);
+        let vector: DVec3 = start.any_orthonormal_vector();
+        let carried = transport(&geometry, &[(source, vector)], &mut go_on)?;
+        for vertex in surface.vertices().filter(|&vertex| surface.position(vertex).dot(start) > -0.5) {
+            let expected = DQuat::from_rotation_arc(start, surface.position(vertex)) * vector;
+            errors.push(carried[vertex].angle_between(expected).to_degrees());
+        }
+    }
+    let [median, largest] = [0.5, 1.0].map(|part| share(&mut errors, part));
+    println!(
+        "\ntransport on the unit sphere of {} vertices: {median:.3} / {largest:.3} degrees",
+        surface.vertex_count()
+    );
+    Ok(())
+}
+
+/// The value that this share of all is not above.
+fn share(values: &mut [f64], part: f64) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[((values.len() - 1) as f64 * part) as usize]
 }

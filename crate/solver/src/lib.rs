@@ -42,7 +42,7 @@
 //!
 //! [`HeatFlow`](heat::HeatFlow) and [`Poisson`](heat::Poisson) take any right side and any constraints, and
 //! [`Operators`](operator::Operators) have gradient and divergence of any field, so that related methods are compositions;
-//! `tests/composition.rs` has one of each. *Transport* of vectors between the tangent planes of [`Frames`](operator::Frames) is a
+//! `tests/composition.rs` has one of each. *Transport* of vectors by heat between the tangent planes of [`Frames`](operator::Frames) is a
 //! step of diffusion by the [`ConnectionLaplacian`](operator::ConnectionLaplacian), a complex matrix of the same pattern. *Signed
 //! distance* lets the normals of a curve flow so, then solves Poisson for their directions. An *anisotropic* metric is its edge lengths
 //! ([`Operators::from_lengths`](operator::Operators::from_lengths)); exact distances and paths still measure positions, so
