@@ -41,6 +41,8 @@ pub enum Command {
     LogMap(LogMap),
     /// Carry tangent vectors to all vertices, parallel along shortest paths
     Transport(Transport),
+    /// What is nearest to each of several sources, and the borders between
+    Cells(Cells),
     /// Fill a closed surface with tetrahedra
     Fill(Fill),
     /// Time both linear solvers of the heat method on each mesh
@@ -282,6 +284,32 @@ pub struct Walk {
 }
 
 #[derive(Args)]
+#[command(group = ArgGroup::new("turned").multiple(true))]
+pub struct Cells {
+    #[command(flatten)]
+    pub mesh: Mesh,
+    #[command(flatten)]
+    pub bridging: Bridging,
+    /// The source of a cell: a vertex V or a place F:b0,b1,b2 in a triangle, with @D if it starts from a distance D; may be repeated
+    #[arg(long = "source", value_name = "S", required = true)]
+    pub sources: Vec<SourcePlace>,
+    /// Write the number of the nearest source, as they are given, and the distance of each vertex to a .csv file
+    #[arg(long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Tell the area of each cell
+    #[arg(long)]
+    pub areas: bool,
+    /// Write the borders between cells to an .obj, .dxf, .svg or .csv file
+    #[arg(long, value_name = "FILE", group = "turned")]
+    pub borders: Option<PathBuf>,
+    /// The direction from which an .svg shows the borders, after --up has turned the mesh
+    #[arg(long, value_name = "X,Y,Z", value_parser = direction, default_value = "1,1,1", allow_hyphen_values = true)]
+    pub view: DVec3,
+    #[command(flatten)]
+    pub axis: UpAxis,
+}
+
+#[derive(Args)]
 pub struct LogMap {
     #[command(flatten)]
     pub mesh: Mesh,
@@ -441,7 +469,7 @@ fn positive(text: &str) -> Result<f64, String> {
 /// The first paragraph of clap's message, on one line; the rest is its help.
 pub fn in_one_sentence(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "give a command: info, distance, path, isolines, sample, walk, log-map, transport, fill or table; heatwalk --help tells more".to_owned();
+        return "give a command: info, distance, path, isolines, sample, walk, log-map, transport, cells, fill or table; heatwalk --help tells more".to_owned();
     }
     let text = error.render().to_string();
     let paragraph = text.split("\n\n").next().unwrap_or_default();

@@ -8,6 +8,7 @@ use serde_json::json;
 
 use crate::answer::Answer;
 use crate::args::{Command, Info};
+use crate::cells::cells;
 use crate::distance::distance;
 use crate::fill::fill;
 use crate::input::Input;
@@ -28,6 +29,7 @@ pub fn run(command: &Command) -> Result<Answer> {
         Command::Distance(arguments) => distance(arguments).map(Answer::from),
         Command::Path(arguments) => path(arguments).map(Answer::from),
         Command::Isolines(arguments) => isolines(arguments).map(Answer::from),
+        Command::Cells(arguments) => cells(arguments).map(Answer::from),
         Command::Fill(arguments) => fill(arguments).map(Answer::from),
         Command::Sample(arguments) => sample(arguments).map(Answer::from),
         Command::Walk(arguments) => walk(arguments).map(Answer::from),

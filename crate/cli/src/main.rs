@@ -2,6 +2,7 @@
 
 mod answer;
 mod args;
+mod cells;
 mod commands;
 mod complaint;
 mod distance;

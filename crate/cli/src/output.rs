@@ -170,6 +170,17 @@ impl Output<VerticesCsv> {
         Self::by_extension(path, what, &[("csv", VerticesCsv)])
     }
 
+    /// The number of a cell, NaN for none, and the distance of each input vertex.
+    pub fn write_cells(&self, cells: &[f64], distances: &[f64]) -> Result<()> {
+        let mut text = String::from("vertex,source,distance\n");
+        for (vertex, (cell, distance)) in cells.iter().zip(distances).enumerate() {
+            let cell = if cell.is_nan() { String::new() } else { cell.to_string() };
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "{vertex},{cell},{distance:.16e}");
+        }
+        self.save(text.as_bytes())
+    }
+
     /// Named numbers, one value an input vertex.
     pub fn write(&self, columns: &[(&str, Vec<f64>)]) -> Result<()> {
         self.save(&write::distance_csv(
@@ -179,6 +190,17 @@ impl Output<VerticesCsv> {
 }
 
 impl Output<CurveFormat> {
+    /// Of borders between cells.
+    pub fn borders(path: &Path) -> Result<Self> {
+        let formats = [
+            ("obj", CurveFormat::Obj),
+            ("dxf", CurveFormat::Dxf),
+            ("svg", CurveFormat::Svg),
+            ("csv", CurveFormat::Csv),
+        ];
+        Self::by_extension(path, "borders", &formats)
+    }
+
     /// Of isolines, of the `strips` between them, or of those `unrolled`.
     pub fn curves(path: &Path, strips: bool, unrolled: bool) -> Result<Self> {
         let (what, formats): (_, &[_]) = match (strips, unrolled) {

@@ -1,22 +1,26 @@
 //! Borders of cells: where another source becomes the nearest one (bisectors, pieces of hyperbolas).
 //!
 //! Where the source nearest to any place can be asked for, a border crosses an edge between two cells where the answer changes, which is
-//! found by halving. Within a triangle it is followed the same way along rays from the corner that it parts from the others. Where
-//! three cells meet, triangles are halved around a place that all are near to (as in Sperner's lemma).
+//! found by halving. Within a triangle it is followed the same way along rays from the corner that it parts from the others. Triangles
+//! whose corners are of three cells are divided until they are as small as what halving leaves.
 
 use std::collections::{BTreeMap, HashMap};
 
 use glam::DVec3;
 use heatwalk_surface::triangle;
 
+use crate::field::Field;
 use crate::isolines::{Curve, Isoline, Isolines, Kind};
 use crate::refine::{sides, split};
 
 /// Edges longer than this share of the diagonal are divided, so that no larger cell falls between corners.
 const LONGEST: f64 = 0.01;
 
-/// Divisions one after another, at most.
-const MOST_ROUNDS: usize = 12;
+/// Where three cells meet, edges longer than this are divided.
+const MEETING: f64 = 1e-6;
+
+/// Divisions one after another, at most: of an edge as long as the diagonal, a thousandth of [`MEETING`] would be left.
+const MOST_ROUNDS: usize = 30;
 
 /// Chords of a border are no longer than this share of the diagonal.
 const CHORD: f64 = 0.002;
@@ -74,18 +78,21 @@ struct Tracing<F> {
 }
 
 impl Borders {
-    /// `positions` are `#V × 3`, `triangles` `#F × 3`, `nearest` the number of the source that is nearest to each vertex, below `cells`,
-    /// or none. `ask` gives that of a place: a triangle, and weights of its corners. Cells that are narrower than a hundredth of the
-    /// diagonal and have no vertex may be missed.
+    /// `nearest`: the number of the source that is nearest to each vertex, below `cells`, or none. `ask` gives that of a place: a
+    /// triangle, and weights of its corners. Cells that are narrower than a hundredth of the diagonal and have no vertex may be missed.
     ///
     /// # Errors
     /// Those of `ask`.
+    ///
+    /// # Panics
+    /// Where there is not one number a vertex.
     pub fn trace<E>(
-        positions: &[DVec3],
-        triangles: &[[u32; 3]],
+        field: &Field,
         (nearest, cells): (&[Option<u32>], usize),
         ask: impl FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>,
     ) -> Result<Self, E> {
+        let (positions, triangles) = (field.positions(), field.triangles());
+        assert_eq!(nearest.len(), positions.len(), "one number a vertex");
         let low = positions.iter().copied().fold(DVec3::INFINITY, DVec3::min);
         let high = positions.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
         let mut tracing = Tracing {
@@ -109,14 +116,15 @@ impl Borders {
 }
 
 impl<E, F: FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>> Tracing<F> {
-    /// Divides long edges.
+    /// Divides long edges, and all where three cells meet.
     fn divide(&mut self) -> Result<(), E> {
         for _ in 0..MOST_ROUNDS {
             let mut long: Vec<([u32; 2], u32)> = Vec::new();
             for part in &self.parts {
+                let most = self.diagonal * if self.is_meeting(part) { MEETING } else { LONGEST };
                 let is_long = |[a, b]: &[u32; 2]| {
                     let [a, b] = [a, b].map(|&end| self.positions[end as usize]);
-                    triangle::length(b - a) > LONGEST * self.diagonal
+                    triangle::length(b - a) > most
                 };
                 long.extend(sides(part.corners).into_iter().filter(is_long).map(|side| (side, part.origin)));
             }
@@ -125,26 +133,37 @@ impl<E, F: FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>> Tracing<F> {
             if long.is_empty() {
                 break;
             }
-            let mut middles: HashMap<[u32; 2], u32> = HashMap::new();
-            for (side, origin) in long {
-                let middle = self.positions.len() as u32;
-                let [a, b] = side.map(|end| self.positions[end as usize]);
-                self.positions.push(0.5 * (a + b));
-                let weights = between(self.ends_in(side, origin), 0.5);
-                self.nearest.push((self.ask)(origin, weights)?);
-                middles.insert(side, middle);
-            }
-            for part in std::mem::take(&mut self.parts) {
-                let found = sides(part.corners).map(|side| middles.get(&side).copied());
-                for (side, middle) in sides(part.corners).into_iter().zip(found) {
-                    if let Some(middle) = middle {
-                        let weights = between(self.ends_in(side, part.origin), 0.5);
-                        self.weights.insert((middle, part.origin), weights);
-                    }
+            self.divide_at(&long)?;
+        }
+        Ok(())
+    }
+
+    /// Whether the corners of a part are of three cells.
+    fn is_meeting(&self, part: &Part) -> bool {
+        let [a, b, c] = part.corners.map(|corner| self.nearest[corner as usize]);
+        a.is_some() && b.is_some() && c.is_some() && a != b && b != c && c != a
+    }
+
+    /// Divides edges, each with a triangle of the surface, in their middles.
+    fn divide_at(&mut self, edges: &[([u32; 2], u32)]) -> Result<(), E> {
+        let mut middles: HashMap<[u32; 2], u32> = HashMap::new();
+        for &(side, origin) in edges {
+            middles.insert(side, self.positions.len() as u32);
+            let [a, b] = side.map(|end| self.positions[end as usize]);
+            self.positions.push(0.5 * (a + b));
+            let weights = between(self.ends_in(side, origin), 0.5);
+            self.nearest.push((self.ask)(origin, weights)?);
+        }
+        for part in std::mem::take(&mut self.parts) {
+            let found = sides(part.corners).map(|side| middles.get(&side).copied());
+            for (side, middle) in sides(part.corners).into_iter().zip(found) {
+                if let Some(middle) = middle {
+                    let weights = between(self.ends_in(side, part.origin), 0.5);
+                    self.weights.insert((middle, part.origin), weights);
                 }
-                let parts = &mut self.parts;
-                split(part.corners, found, &self.positions, |corners| parts.push(Part { corners, ..part }));
             }
+            let parts = &mut self.parts;
+            split(part.corners, found, &self.positions, |corners| parts.push(Part { corners, ..part }));
         }
         Ok(())
     }
@@ -199,7 +218,7 @@ impl<E, F: FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>> Tracing<F> {
         let cells = [a, b, c];
         if a == b && b == c {
             self.areas[a as usize] += whole;
-        } else if a != b && b != c && c != a {
+        } else if self.is_meeting(&self.parts[index]) {
             self.meet(index, cells)?;
         } else {
             let lone = if b == c {
@@ -243,34 +262,12 @@ impl<E, F: FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>> Tracing<F> {
     /// Three cells meet in a part.
     fn meet(&mut self, index: usize, cells: [u32; 3]) -> Result<(), E> {
         let Part { corners, origin } = self.parts[index];
-        let mut around = corners.map(|corner| self.weights_in(corner, origin));
-        let mut labels = cells;
-        for _ in 0..HALVINGS {
-            let middles = [[0, 1], [1, 2], [2, 0]].map(|[a, b]| between([around[a], around[b]], 0.5));
-            let mut found = labels;
-            for (label, middle) in found.iter_mut().zip(middles) {
-                *label = (self.ask)(origin, middle)?.unwrap_or(u32::MAX);
-            }
-            let [a, b, c] = around;
-            let [x, y, z] = labels;
-            let ([ab, bc, ca], [xy, yz, zx]) = (middles, found);
-            let quarters = [
-                ([a, ab, ca], [x, xy, zx]),
-                ([ab, b, bc], [xy, y, yz]),
-                ([ca, bc, c], [zx, yz, z]),
-                ([ab, bc, ca], [xy, yz, zx]),
-            ];
-            let has_all = |of: &[u32; 3]| cells.iter().all(|cell| of.contains(cell));
-            let Some((quarter, of)) = quarters.into_iter().find(|(_, of)| has_all(of)) else { break };
-            (around, labels) = (quarter, of);
-        }
-        let middle = between([around[0], between([around[1], around[2]], 0.5)], 2.0 / 3.0);
-        let middle = self.position(origin, middle);
         let mut crossed = [DVec3::ZERO; 3];
         for (k, place) in crossed.iter_mut().enumerate() {
             let weights = self.crossing([corners[k], corners[(k + 1) % 3]], origin)?;
             *place = self.position(origin, weights);
         }
+        let middle = crossed.iter().sum::<DVec3>() / 3.0;
         for k in 0..3 {
             let (next, before) = ((k + 1) % 3, (k + 2) % 3);
             let corner = self.positions[corners[k] as usize];

@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod bridges;
+mod cells;
 mod common;
 mod composition;
 mod contacts;

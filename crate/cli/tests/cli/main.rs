@@ -1,6 +1,7 @@
 //! The real binary on small files.
 
 mod animations;
+mod cells;
 mod directions;
 mod exact;
 mod files;

@@ -1,5 +1,6 @@
 //! Isolines, strips and unrolled shapes against what is known of planes, spheres, cylinders and cones.
 
+mod borders;
 mod isolines;
 mod refined;
 mod unrolled;
