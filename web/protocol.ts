@@ -69,6 +69,16 @@ export interface TrianglePlaces {
   weights: Float64Array;
 }
 
+/** Where distances are drawn on a coarse surface that is divided. */
+export interface FinerPlaces {
+  /** #E: the middles of edges. */
+  middles: TrianglePlaces;
+  /** Corners of parts, those of one triangle once each. */
+  corners: TrianglePlaces;
+  /** #T × 3: which of these each corner is. */
+  ofCorners: Uint32Array;
+}
+
 /** The surface as it is drawn; where it is coarse, also divided. */
 export type DrawnSurface = DrawMesh & { finer?: FinerMesh };
 
@@ -217,7 +227,10 @@ export interface DistanceField extends WithLengths<
 > {
   /** #D × 4: the direction in which distance grows at each drawn vertex, 127 for a unit; the fourth number is 0. */
   tangents: Int8Array;
-  /** Where they are known, #D + #E: these distances and after them the exact ones at the middles of the finer mesh, and the largest of all. */
+  /**
+   * On the finer mesh, where they are known, and the largest of all: #D + #E, these distances and after them the exact ones at the middles;
+   * or #T × 3, where values are those of corners.
+   */
   finer?: Pick<DistanceField, 'distance' | 'maxDistance'>;
   /** How far the field was off before it was refined; null until refining has made all of it exact. */
   error: FieldError | null;

@@ -1,5 +1,5 @@
 import { expect, test } from '@playwright/test';
-import type { DrawnSurface, DrawMesh } from '../../web/protocol';
+import type { DrawnSurface, DrawMesh, TrianglePlaces } from '../../web/protocol';
 import { divided } from '../../web/solver/finer';
 import {
   areaOfTriangle,
@@ -55,12 +55,20 @@ test('a coarse surface is divided without gaps, and knows where its parts are', 
   // So do the places of the middles, which are vertices after those of the surface.
   const vertices = PLATE.positions.length / 3;
   expect(mesh.positions.length / 3).toBe(vertices + middles.length / 2);
-  const areThere = Array.from(places.triangles, (triangle, edge) => {
-    const [u, v, w] = places.weights.subarray(3 * edge, 3 * edge + 3);
-    return isAt(weighted(whole[triangle], [u, v, w]), vectorAt(mesh.positions, vertices + edge));
-  });
+  const placesOf = (of: TrianglePlaces) =>
+    Array.from(of.triangles, (triangle, place) => weighted(whole[triangle], vectorAt(of.weights, place)));
+  const areThere = placesOf(places.middles).map((at, edge) => isAt(at, vectorAt(mesh.positions, vertices + edge)));
   expect(areThere).toHaveLength(middles.length / 2);
   expect(areThere).not.toContain(false);
+  // Each corner of a part is a place of its own triangle.
+  const corners = placesOf(places.corners);
+  expect(corners.length).toBeLessThan(mesh.triangles.length / 2);
+  const meet = Array.from(places.ofCorners, (place, corner) => {
+    const isOwn = places.corners.triangles[place] === origins[Math.floor(corner / 3)];
+    return isOwn && isAt(corners[place], vectorAt(mesh.positions, mesh.triangles[corner]));
+  });
+  expect(meet).toHaveLength(mesh.triangles.length);
+  expect(meet).not.toContain(false);
   // No edge is long, and all but those of the rim have two sides: nothing comes apart.
   const sides = new Map<string, number>();
   for (const [a, b, c] of vectorsIn(mesh.triangles)) {
@@ -74,7 +82,7 @@ test('a coarse surface is divided without gaps, and knows where its parts are', 
     }
   }
   const ends = [...sides.keys()].map((key) => key.split(',').map((vertex) => vectorAt(mesh.positions, Number(vertex))));
-  expect(Math.max(...ends.map(([one, other]) => distance(one, other)))).toBeLessThan(0.07 + 1e-6);
+  expect(Math.max(...ends.map(([one, other]) => distance(one, other)))).toBeLessThan(0.05 + 1e-6);
   const counts = [...sides.values()];
   expect(counts.every((count) => count <= 2)).toBe(true);
   const onRim = ends.filter((_, side) => counts[side] === 1);
@@ -153,7 +161,7 @@ test('the renderer of a coarse surface is given what is on its parts', () => {
 
   // Of distances from a corner, arrows lead away from it.
   const rays = Float32Array.from(vectorsIn(mesh.positions), (place) => distance(place, [-1, -1, 0]));
-  const gradients = gradientsOn(finer, rays);
+  const gradients = gradientsOn(finer, rays, false);
   renderer.set_arrows(gradients);
   expect(given('arrows')[0]).toBe(gradients);
   const turned = trianglesOf(mesh).map((corners, part) => {

@@ -107,12 +107,12 @@ export class Overlays {
   async #arrowsOf(
     { opened, queries }: Engine,
     kind: FaceField,
-    { finer: drawn }: DistanceField,
+    { finer: drawn, byCorner }: DistanceField,
   ): Promise<Float32Array> {
     const { finer } = opened.surface;
     const isDrawnSo = kind === 'distance' && this.#session.pose.value === null;
     if (!finer || !drawn || !isDrawnSo) return queries.gradients(kind);
-    return (await import('../view/finer')).gradientsOn(finer, drawn.distance);
+    return (await import('../view/finer')).gradientsOn(finer, drawn.distance, byCorner);
   }
 }
 

@@ -4,20 +4,25 @@
  * "Algorithms for refining triangular grids suitable for adaptive and multigrid techniques", 1984): nothing comes apart, and angles
  * stay about as they are.
  */
-import type { DrawMesh, FinerMesh, TrianglePlaces } from '../protocol';
+import type { DrawMesh, FinerMesh, FinerPlaces, TrianglePlaces } from '../protocol';
 import { entry } from '../state/entry';
 import { between, distance, type Vector, vectorsIn } from '../state/vector';
 
 /** Edges that are drawn longer are divided, where a model reaches from −1 to 1: stripes are then off by less than a pixel or so. */
-const LONG = 0.07;
+const LONG = 0.05;
 /** The most middles of edges: the distance at each takes microseconds with every field. */
-const MOST_MIDDLES = 4000;
+const MOST_MIDDLES = 6000;
 /** A round divides the edges that are longer than this share of the longest one. */
 const ROUND = 0.7;
 /** Triangles of a leaf of the renderer's hierarchy. */
 const LEAF = 8;
 
 type Ends = readonly [number, number];
+
+interface Place {
+  triangle: number;
+  weights: Vector;
+}
 
 /** A triangle of the drawing, or a part of one. */
 interface Part {
@@ -27,8 +32,8 @@ interface Part {
   weights: [Vector, Vector, Vector];
 }
 
-/** The surface divided, and where on it the new vertices are. */
-export function divided(surface: DrawMesh): { finer: FinerMesh; places: TrianglePlaces } {
+/** The surface divided, and where distances are drawn on it. */
+export function divided(surface: DrawMesh): { finer: FinerMesh; places: FinerPlaces } {
   const division = new Division(surface);
   division.divide();
   // Parts of one triangle come one after another, as those of one material have to.
@@ -37,11 +42,30 @@ export function divided(surface: DrawMesh): { finer: FinerMesh; places: Triangle
   const mesh = meshOf(surface, parts, middles);
   const origins = Uint32Array.from(parts, ({ origin }) => origin);
   const weights = Float32Array.from(parts.flatMap((part) => part.weights.flat()));
-  const places = {
-    triangles: Uint32Array.from(division.places, ({ triangle }) => triangle),
-    weights: Float64Array.from(division.places.flatMap((place) => place.weights)),
-  };
+  const places = { middles: placesOf(division.places), ...cornersOf(parts) };
   return { finer: { mesh, middles, origins, weights }, places };
+}
+
+function placesOf(places: readonly Place[]): TrianglePlaces {
+  return {
+    triangles: Uint32Array.from(places, ({ triangle }) => triangle),
+    weights: Float64Array.from(places.flatMap((place) => place.weights)),
+  };
+}
+
+/** The corners of parts, those of one triangle once each. */
+function cornersOf(parts: readonly Part[]): Pick<FinerPlaces, 'corners' | 'ofCorners'> {
+  const places: Place[] = [];
+  const numbers = new Map<string, number>();
+  const ofCorners = parts.flatMap(({ corners, origin, weights }) =>
+    corners.map((corner, k) => {
+      const key = `${origin},${corner}`;
+      const number = numbers.get(key) ?? places.push({ triangle: origin, weights: entry(weights, k) }) - 1;
+      numbers.set(key, number);
+      return number;
+    }),
+  );
+  return { corners: placesOf(places), ofCorners: Uint32Array.from(ofCorners) };
 }
 
 function meshOf(surface: DrawMesh, parts: readonly Part[], middles: Uint32Array): DrawMesh {
@@ -68,7 +92,7 @@ class Division {
   readonly parts: Part[];
   /** The ends of each edge that was divided, and where its middle is. */
   readonly middles: Ends[] = [];
-  readonly places: { triangle: number; weights: Vector }[] = [];
+  readonly places: Place[] = [];
   readonly #positions: Vector[];
   /** The long edges, each with its parts. */
   readonly #edges = new Map<string, { ends: Ends; length: number; parts: Set<Part> }>();

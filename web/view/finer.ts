@@ -73,9 +73,10 @@ function onFiner(
   byCorner: boolean,
 ): [values: Float32Array, tangents: Int8Array] {
   if (!finer || values.length === 0) return [values, tangents];
-  if (byCorner) return [ofCorners(finer, values, 1), ofCorners(finer, tangents, 4)];
   const isWhole = values.length > tangents.length / 4;
-  return [isWhole ? values : withMiddles(values, finer.middles, 1), withMiddles(tangents, finer.middles, 4)];
+  const spread = <A extends Float32Array | Int8Array>(given: A, size: number) =>
+    byCorner ? ofCorners(finer, given, size) : withMiddles(given, finer.middles, size);
+  return [isWhole ? values : spread(values, 1), spread(tangents, 4)];
 }
 
 /** What corners of triangles have, for those of the parts. */
@@ -108,12 +109,12 @@ function arrowsOf(finer: FinerMesh, vectors: Float32Array): Float32Array {
   return vectors.length === 0 || vectors.length === ofAll.length ? vectors : ofParts(finer, vectors, ofAll);
 }
 
-/** #T × 3: along the gradients of distances, #D + #E, on the parts; nothing where they are not reached. */
-export function gradientsOn({ mesh }: FinerMesh, distances: Float32Array): Float32Array {
+/** #T × 3: along the gradients of distances, as in a `DistanceField`, on the parts; nothing where they are not reached. */
+export function gradientsOn({ mesh }: FinerMesh, distances: Float32Array, byCorner: boolean): Float32Array {
   const { positions, triangles } = mesh;
   const vectors = vectorsIn(triangles).map((corners, part): Vector => {
     const [p, q, r] = cornersOf(positions, triangles, part);
-    const [a, b, c] = [0, 1, 2].map((k) => entry(distances, entry(corners, k))) as Vector;
+    const [a, b, c] = [0, 1, 2].map((k) => entry(distances, byCorner ? 3 * part + k : entry(corners, k))) as Vector;
     const along = moved(scaled(minus(r, p), a - b), minus(q, p), c - a);
     const gradient = cross(cross(minus(q, p), minus(r, p)), along);
     return gradient.every(Number.isFinite) ? gradient : [0, 0, 0];

@@ -3,12 +3,12 @@ import { ofModel, type WithLengths } from '../../../length';
 import type {
   BuildReport,
   Factoring,
+  FinerPlaces,
   MemoryBudget,
   MeshInput,
   OpenedMesh,
   ProgressListener,
   Timings,
-  TrianglePlaces,
 } from '../../../protocol';
 import type { InnerSolver } from '../../../wasm/interior/heatwalk_interior';
 import { AUTOMATIC, type Parameters, type Stage, type Up } from '../../../wasm/contract';
@@ -141,7 +141,7 @@ export async function open(
 }
 
 /** From now on answers have the exact distances at these places, too, where they are known. To be called before `prepare`. */
-export async function drawBetween(places: TrianglePlaces): Promise<void> {
+export async function drawBetween(places: FinerPlaces): Promise<void> {
   const { distancesAt } = await import('../between');
   if (opened) opened.shownAs.between = distancesAt(places);
 }
