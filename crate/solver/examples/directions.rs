@@ -57,7 +57,8 @@ fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
         if let [.., before, end] = &path.points[..] {
             let first = before.position - end.position;
             let expected = dvec2(first.dot(map.axes[0]), first.dot(map.axes[1]));
-            angles.push(map.coordinates[vertex].angle_to(expected).abs().to_degrees());
+            let mapped = map.coordinates[vertex];
+            angles.push(mapped.perp_dot(expected).atan2(mapped.dot(expected)).abs().to_degrees());
         }
     }
     let [field, ratio] = [&mut fields, &mut ratios].map(|values| share(values, 0.5));

@@ -83,6 +83,14 @@ export const OPTIONS: Texts = {
   'closed: each path begins where the one before ends':
     'une courbe fermée : chaque chemin commence où le précédent finit',
   'a finite vector that is not square to the surface': 'un vecteur fini, non perpendiculaire à la surface',
+  'the direction': 'la direction',
+  'the vector': 'le vecteur',
+  'the source': 'la source',
+  'at vertex {0}': 'au sommet {0}',
+  'on the edge of vertices {0} and {1}': 'sur l’arête des sommets {0} et {1}',
+  'in face {0}': 'dans la face {0}',
+  'where the triangles around it are one ring or fan of one orientation':
+    'là où les triangles autour forment un seul anneau ou éventail d’une seule orientation',
   'a corner of some face, as all below the highest are': 'un coin d’une face, comme tous ceux au-dessous du plus grand',
   'finite, each less than the sum of the other two': 'des nombres finis, chacun inférieur à la somme des deux autres',
   'one of each for every face': 'un de chaque pour chaque face',

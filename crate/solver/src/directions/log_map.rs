@@ -34,9 +34,9 @@ pub struct LogMap {
 /// with more than a full angle and at boundaries, it keeps the direction in which it left the source; so it does across bridges.
 ///
 /// # Errors
-/// [`Error::BadParameter`] for a direction that is zero, not finite or square to the surface, and for a source where the surface has no tangent
-/// plane, as on edges of three faces; [`Error::NotExact`] where faces have different costs; those of [`ToPoint::to_point`];
-/// [`Error::OutOfMemory`]; [`Error::Cancelled`].
+/// [`Error::BadParameter`](crate::Error::BadParameter) for a direction that is zero, not finite or square to the surface, and for a source where the surface has no tangent
+/// plane, as on edges of three faces; [`Error::NotExact`](crate::Error::NotExact) where faces have different costs; those of [`ToPoint::to_point`];
+/// [`Error::OutOfMemory`](crate::Error::OutOfMemory); [`Error::Cancelled`](crate::Error::Cancelled).
 pub fn log_map(
     geometry: &Arc<ExactGeometry>,
     source: impl ToPoint,
