@@ -25,7 +25,7 @@ export function printLabel(context: PlaneContext, element: Element, { x, y, widt
   context.textAlign = 'center';
   context.textBaseline = 'middle';
   const down = Number.parseFloat(lineHeight);
-  const lines = height < 2 * down ? [element.textContent ?? ''] : linesOf(element);
+  const lines = height < 2 * down ? [element.textContent ?? ''] : linesOf(element).slice(0, Math.round(height / down));
   const first = y + (height - (lines.length - 1) * down) / 2;
   lines.forEach((line, index) => context.fillText(line, x + width / 2, first + index * down));
 }
