@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, bail};
 use glam::DVec3;
 use heatwalk::exact::PlaceDistances;
 use heatwalk::{Cells as Found, FaceId, Place, Source, Surface, Unit, Up, VertexData, cells as found, go_on};
@@ -18,10 +18,7 @@ use crate::volume;
 
 /// What is nearest to each source, and where others become nearer.
 pub fn cells(arguments: &Cells) -> Result<String> {
-    ensure!(
-        volume::Input::of(&arguments.mesh)?.is_none(),
-        "cells are of a surface, not of the inside of tetrahedra; give the surface"
-    );
+    volume::Input::refuse(&arguments.mesh, "cells are of a surface, not of the inside")?;
     let output = arguments.output.as_deref().map(|path| Output::of_vertices(path, "cells")).transpose()?;
     let borders = arguments.borders.as_deref().map(Output::borders).transpose()?;
     let input = Input::of(&arguments.mesh)?;

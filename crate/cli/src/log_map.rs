@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use glam::DVec2;
 use heatwalk::{go_on, log_map as mapped};
 use serde_json::json;
@@ -16,10 +16,7 @@ use crate::volume;
 
 /// Directions and lengths of the shortest paths from a source.
 pub fn log_map(arguments: &LogMap) -> Result<String> {
-    ensure!(
-        volume::Input::of(&arguments.mesh)?.is_none(),
-        "a log map is of a surface, not of the inside of tetrahedra; give the surface"
-    );
+    volume::Input::refuse(&arguments.mesh, "a log map is of a surface, not of the inside")?;
     let output = arguments.output.as_deref().map(|path| Output::of_vertices(path, "log maps")).transpose()?;
     let input = Input::of(&arguments.mesh)?;
     arguments.source.check(&input.model.soup)?;

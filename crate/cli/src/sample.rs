@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use heatwalk::{Element, SampleCount, Surface, VertexId, farthest_samples, go_on};
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::SplitMix64;
@@ -18,10 +18,7 @@ use crate::volume;
 
 /// Spreads samples over a surface.
 pub fn sample(arguments: &Sample) -> Result<String> {
-    ensure!(
-        volume::Input::of(&arguments.mesh)?.is_none(),
-        "samples are of a surface, not of the inside of tetrahedra; give the surface"
-    );
+    volume::Input::refuse(&arguments.mesh, "samples are of a surface, not of the inside")?;
     let output = arguments.output.as_deref().map(Output::places).transpose()?;
     let input = Input::of(&arguments.mesh)?;
     let (mut solver, mut report, build_ms) = joined(&input, &arguments.mesh, &arguments.bridging)?;

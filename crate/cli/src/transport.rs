@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use glam::DVec3;
 use heatwalk::{SurfacePoint, go_on, transport as carried};
 use serde_json::json;
@@ -16,10 +16,7 @@ use crate::volume;
 
 /// Carries vectors to all vertices.
 pub fn transport(arguments: &Transport) -> Result<String> {
-    ensure!(
-        volume::Input::of(&arguments.mesh)?.is_none(),
-        "vectors are carried along a surface, not inside of tetrahedra; give the surface"
-    );
+    volume::Input::refuse(&arguments.mesh, "vectors are carried along a surface, not inside")?;
     let output = arguments.output.as_deref().map(|path| Output::of_vertices(path, "vectors")).transpose()?;
     let input = Input::of(&arguments.mesh)?;
     let soup = &input.model.soup;

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, bail};
 use heatwalk::{Element, InputTriangle, Straightest, straightest};
 use serde_json::json;
 
@@ -16,10 +16,7 @@ use crate::volume;
 
 /// Walks as straight as the surface lets it.
 pub fn walk(arguments: &Walk) -> Result<String> {
-    ensure!(
-        volume::Input::of(&arguments.mesh)?.is_none(),
-        "a walk is on a surface, not inside of tetrahedra; give the surface"
-    );
+    volume::Input::refuse(&arguments.mesh, "a walk is on a surface, not inside")?;
     let output = arguments.output.as_deref().map(Output::path).transpose()?;
     let input = Input::of(&arguments.mesh)?;
     let soup = &input.model.soup;

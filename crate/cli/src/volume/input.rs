@@ -24,6 +24,12 @@ pub struct Input {
 }
 
 impl Input {
+    /// Refuses tetrahedra: `what` a command does, not inside of them.
+    pub fn refuse(arguments: &Mesh, what: &str) -> Result<()> {
+        ensure!(Self::of(arguments)?.is_none(), "{what} of tetrahedra; give the surface");
+        Ok(())
+    }
+
     /// What the arguments of a command name; none where that is a surface.
     pub fn of(arguments: &Mesh) -> Result<Option<Self>> {
         let start = Instant::now();
