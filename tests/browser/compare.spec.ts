@@ -205,3 +205,23 @@ test('two settings inside of tetrahedra share boundary and cut', { tag: '@page' 
   await heatwalk.settled();
   expect(apart(await drawn(heatwalk), moved, RIGHT)).toBeLessThan(SAME);
 });
+
+test(
+  'a comparison that ends while its errors are asked for leaves no message',
+  { tag: '@page' },
+  async ({ heatwalk, page }) => {
+    const thrown: string[] = [];
+    page.on('pageerror', ({ message }) => thrown.push(message));
+    await heatwalk.open('#v=1&m=bunny');
+    for (let i = 0; i < 3; i++) {
+      await page.evaluate(async () => {
+        await window.heatwalk.set({ vs: 'method:heat,refine:0,at:0.5', paint: 'distance' });
+        await window.heatwalk.settled();
+        await window.heatwalk.set({ vs: 'none', paint: 'error' });
+        await window.heatwalk.settled();
+      });
+    }
+    expect(thrown).toEqual([]);
+    await expect(page.locator('.message.error')).toHaveCount(0);
+  },
+);

@@ -139,8 +139,12 @@ export class Comparison {
       view.setOther(field, inside);
       return;
     }
-    const painted = await instead(this.#engine, colorBy, field);
-    if (wish === this.#wish) view.setOther(painted?.field ?? null, inside);
+    try {
+      const painted = await instead(this.#engine, colorBy, field);
+      if (wish === this.#wish) view.setOther(painted?.field ?? null, inside);
+    } catch (error) {
+      if (wish === this.#wish) this.#session.fail(error);
+    }
   }
 }
 
