@@ -185,6 +185,26 @@ test('a tap on its last place ends a tape, and the next begins another', async (
   await expect.poll(laid).toEqual([2, 1]);
 });
 
+test('Enter on its last place ends a tape, and adds nothing to its only one', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=bunny');
+  await page.locator('.stage').focus();
+  await page.keyboard.press('m');
+  const laid = async () => (await heatwalk.scene()).tapes.map(({ points }) => points.length);
+  for (const [keys, places] of [
+    [['Enter'], [1]],
+    [['Enter'], [1]],
+    [['ArrowLeft', 'ArrowLeft'], [1]],
+    [['Enter'], [2]],
+    [['Enter'], [2]],
+    [['ArrowUp', 'ArrowUp'], [2]],
+    [['Enter'], [2, 1]],
+  ] as const) {
+    for (const key of keys) await page.keyboard.press(key);
+    await heatwalk.rest();
+    expect(await laid()).toEqual(places);
+  }
+});
+
 test('tapes of a link are measured where another scene was before and nothing is refined', async ({
   heatwalk,
   page,

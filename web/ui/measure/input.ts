@@ -2,6 +2,7 @@
 import type { MeshPoint } from '../../protocol';
 import type { Session } from '../../session/session';
 import type { Signal } from '../../state/signal';
+import { isSamePlace } from '../../state/sources';
 import { canClose, close, extended } from '../../state/tapes';
 import type { Tool } from '../../state/tool';
 import { entry } from '../../state/entry';
@@ -45,10 +46,15 @@ export class MeasureInput {
     return true;
   }
 
-  /** Adds a place to the tape that is being laid. True if the tool is this one. */
+  /** Adds a place to the tape that is being laid, or does what a click on it does where it has that place. True if the tool is this one. */
   add(point: MeshPoint): boolean {
     if (this.#tool.value !== 'measure') return false;
     const { scene } = this.#session;
+    const place = scene.state.tapes[this.#open]?.points.findLastIndex((laid) => isSamePlace(laid, point)) ?? -1;
+    if (place >= 0) {
+      this.clickPlace(this.#open, place, Infinity);
+      return true;
+    }
     const tapes = extended(scene.state.tapes, this.#open, point);
     const index = this.#open < 0 ? tapes.length - 1 : this.#open;
     scene.edit({ tapes });
