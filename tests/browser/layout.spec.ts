@@ -234,6 +234,27 @@ test('what was opened is said below the model, over no tool, and beside the hint
   await expect(hint).toBeVisible();
 });
 
+test('the hint keeps beside what failed', async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=hemisphere');
+  await heatwalk.closeSummary();
+  await heatwalk.drop([['none.off', 'OFF\n3 1 0\n']]);
+  const [message, hint] = [page.locator('.message.error'), page.locator('.hint')];
+  for (const [width, height] of [
+    [1400, 900],
+    [1100, 720],
+    [1000, 700],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await expect(async () => {
+      const said = await message.boundingBox();
+      const shown = (await hint.isVisible()) ? await hint.boundingBox() : null;
+      if (!said) throw new Error('Nothing is said.');
+      expect(shown !== null, `the hint at ${width} × ${height}`).toBe(width >= 1100);
+      if (shown) expect(said.x + said.width, `${width} × ${height}`).toBeLessThanOrEqual(shown.x);
+    }).toPass({ timeout: 10_000 });
+  }
+});
+
 test('a window of another shape shows as much of the model', async ({ heatwalk, page }) => {
   await heatwalk.open('#v=1&m=bunny');
   await page.mouse.wheel(0, 200);
