@@ -5,6 +5,11 @@ export function toError(thrown: unknown): Error {
   return thrown instanceof Error ? thrown : new Error(String(thrown));
 }
 
+/** Whether a worker was asked about a field while it held none: the next is on its way, or could not be solved. */
+export function isUnsolved(thrown: unknown): boolean {
+  return toError(thrown).name === 'no-source';
+}
+
 /** An error whose message is in the language of the page. */
 export class Failure extends Error {
   readonly words: Words;

@@ -183,6 +183,15 @@ test('a source in a wall is told, and the scene stays', async ({ heatwalk, page 
   // What was answered last stays.
   expect(await heatwalk.distanceAt(BEHIND)).toBeLessThan(30 / N);
   expect((await heatwalk.scene()).sources).toEqual([SOURCE]);
+  // What is asked about the field that there is not has no answer.
+  const asked = await page.evaluate(async (place) => {
+    const { exactDistanceAt, bestDistanceAt } = window.heatwalk;
+    return [await exactDistanceAt(place), await bestDistanceAt(place)];
+  }, BEHIND);
+  expect(asked).toEqual([null, null]);
+  await page.mouse.move(...(await heatwalk.pixelOf(at(18, 20))));
+  await expect(page.locator('.readout')).toHaveText(/^vertex \d+$/);
+  await expect(page.getByRole('alert')).toContainText('in a wall');
   await page.keyboard.press('Control+z');
   await expect.poll(() => painted(heatwalk)).toBe(0);
   await heatwalk.settled();

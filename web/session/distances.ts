@@ -1,7 +1,16 @@
 /** Distances at places in faces and tetrahedra, of the field that is shown. */
+import { isUnsolved } from '../error';
 import type { MeshPoint } from '../protocol';
 import { type ModelLength, ofModel } from '../length';
 import type { Session } from './session';
+
+/** Null where the worker holds no field, as where the question that came last has failed. */
+async function known<T>(asked: Promise<T>): Promise<T | null> {
+  return asked.catch((error: unknown) => {
+    if (isUnsolved(error)) return null;
+    throw error;
+  });
+}
 
 /** Those of places; null where not all of the field is exact, and inside of tetrahedra. */
 export async function exactDistances(
@@ -9,7 +18,7 @@ export async function exactDistances(
   places: readonly MeshPoint[],
 ): Promise<readonly ModelLength[] | null> {
   if (!engine || shown.value?.answer.field?.exactBelow !== Infinity) return null;
-  const distances = await engine.queries.exactDistances(places);
+  const distances = await known(engine.queries.exactDistances(places));
   return distances && Array.from(distances, (each) => ofModel(each));
 }
 
@@ -25,5 +34,6 @@ export async function exactDistanceAt(session: Session, place: MeshPoint): Promi
  */
 export async function bestDistanceAt({ engine, shown }: Session, place: MeshPoint): Promise<ModelLength | null> {
   if (!engine || !shown.value?.answer.field) return null;
-  return ofModel(await engine.queries.distanceAt(place));
+  const distance = await known(engine.queries.distanceAt(place));
+  return distance === null ? null : ofModel(distance);
 }

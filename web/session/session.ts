@@ -207,6 +207,12 @@ export class Session {
     return this.engine === null || (this.refiner.settled && isPosed);
   }
 
+  /** Whether what is shown is an older answer, since what the scene asks could not be answered. */
+  get isOutdated(): boolean {
+    const { value: shown } = this.shown;
+    return this.failure.value !== null && shown !== null && !this.#isAnswered(shown.answer);
+  }
+
   /** Paints another field in the place of distance, with periods as shares of `whole`; null for distance itself. */
   paint(instead: Parameters<Presenter['paint']>[0]): void {
     this.#presenter.paint(instead);

@@ -95,11 +95,12 @@ export class Readout {
 }
 
 /** `best`: the distance; null where it is taken from those of vertices for now. */
-function readoutText({ scene, shown }: Session, point: MeshPoint, best: ModelLength | null): Words | null {
+function readoutText(session: Session, point: MeshPoint, best: ModelLength | null): Words | null {
+  const { scene, shown } = session;
   if (!shown.value) return null;
   const { opened, places, answer } = shown.value;
   const vertex = t`vertex ${places.nearestVertex(point)}`;
-  if (!answer.field) return vertex;
+  if (!answer.field || session.isOutdated) return vertex;
   const distance = best ?? places.valueAt(point, answer.field);
   if (!Number.isFinite(distance)) return t`unreachable · ${vertex}`;
   // Rounding of places is no length.
