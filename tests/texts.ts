@@ -37,7 +37,7 @@ export const NAMES: readonly string[] = [
 
 /** What is not of the page that people see: modules, documents, the interfaces for programs, and lines of programs. */
 const OTHERS =
-  /^(wasm|texts|docs|offline|embed\.ts|solver\/worker|ui\/(control|embedding)|ui\/scripting\.ts|state\/rust\.ts|state\/table1\.ts|state\/convergence\.ts|state\/styles\.ts)/;
+  /^(wasm|texts|docs|offline|embed\.ts|solver\/worker|ui\/(control|embedding)|ui\/scripting\.ts|state\/rust\.ts|state\/report\.ts|state\/table1\.ts|state\/convergence\.ts|state\/styles\.ts)/;
 
 /** The sources of the page whose texts are translated, by their paths in `web`. */
 export async function sources(): Promise<[string, string][]> {

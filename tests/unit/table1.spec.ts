@@ -1,5 +1,6 @@
 import { expect, test } from '@playwright/test';
-import { csvOf, markdownOf, median, parametersOfReport, REPORT, type Row } from '../../web/state/table1';
+import { REPORT } from '../../web/state/report';
+import { csvOf, markdownOf, median, parametersOfReport, type Row } from '../../web/state/table1';
 import { findPreset } from '../../web/state/presets';
 
 const ROW: Row = {

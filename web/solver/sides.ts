@@ -1,6 +1,7 @@
 /** What two settings take on one mesh, each in a worker of its own, after both have run once. */
 import type { MeshInput } from '../protocol';
-import { median, type Times } from '../state/table1';
+import type { Times } from '../state/report';
+import { median } from '../state/table1';
 import { Cancelled } from './remote';
 import { inBackground } from './background';
 import type { Wanted } from './client';

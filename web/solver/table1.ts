@@ -2,7 +2,8 @@
 import { Failure } from '../error';
 import type { MeshInput, OpenedMesh, Parameters, MemoryBudget, Source } from '../protocol';
 import { findPreset } from '../state/presets';
-import { median, type ModelOfReport, parametersOfReport, REPORT, type Row, type Times } from '../state/table1';
+import { type ModelOfReport, REPORT, type Times } from '../state/report';
+import { median, parametersOfReport, type Row } from '../state/table1';
 import { AUTOMATIC } from '../wasm/contract';
 import { inBackground, PLAIN_QUESTION } from './background';
 import type { Wanted } from './client';

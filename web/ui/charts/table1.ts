@@ -1,6 +1,7 @@
 /** Table 1 of the report, measured on this device when it is asked for. */
 import { measureTable } from '../../solver/table1';
-import { csvOf, markdownOf, milliseconds, REPORT, reportOf, type Row, type Times } from '../../state/table1';
+import { REPORT, type Times } from '../../state/report';
+import { csvOf, markdownOf, milliseconds, reportOf, type Row } from '../../state/table1';
 import { save } from '../../view/picture';
 import { h, say } from '../dom';
 import { markdownButton, measurement, measuring } from './measuring';

@@ -6,7 +6,7 @@ import { type Compared, differing, MIDDLE, settingsOf, STUDIED, type Studied } f
 import { wantedOf } from '../../session/prepare';
 import { type Answer, isSameField, type Question } from '../../solver/engine';
 import { measureSides, RUNS, type Side } from '../../solver/sides';
-import type { Times } from '../../state/table1';
+import type { Times } from '../../state/report';
 import { isMethodOf } from '../../state/inside';
 import { isSameUnit, type LengthUnit, unitOf } from '../../length';
 import { Failure } from '../../error';

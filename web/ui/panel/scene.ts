@@ -3,7 +3,7 @@ import type { Opener } from '../../session/opener';
 import type { Session } from '../../session/session';
 import { PRESETS } from '../../state/presets';
 import { isSameUnit, unitOf } from '../../length';
-import { REPORT } from '../../state/table1';
+import { REPORT } from '../../state/report';
 import { h, say } from '../dom';
 import { KEYS, keyName } from '../keys';
 import { simplifiedSentence } from '../words';
