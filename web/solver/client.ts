@@ -25,9 +25,8 @@ export interface Wanted {
   fill: number | null;
 }
 
-/** Coarse surfaces have an edge that is drawn longer, where a model reaches from −1 to 1: those of few triangles, and of more. */
-const [COARSE, COARSER] = [0.1, 0.25] as const;
-const FEW = 3000;
+/** Coarse surfaces have an edge that is drawn longer, where a model reaches from −1 to 1. */
+const COARSE = 0.25;
 /** The most triangles that are divided. */
 const MOST_DIVIDED = 20_000;
 
@@ -98,11 +97,10 @@ export class SolverClient {
 /** Whether some of not so many triangles have an edge so long that stripes on it would be seen to be chords. */
 function isCoarse({ positions, triangles }: DrawMesh): boolean {
   if (triangles.length > 3 * MOST_DIVIDED) return false;
-  const least = triangles.length > 3 * FEW ? COARSER : COARSE;
   const at = (corner: number, axis: number) => positions[3 * (triangles[corner] ?? 0) + axis] ?? 0;
   return triangles.some((_, i) => {
     const next = i % 3 < 2 ? i + 1 : i - 2;
-    return Math.hypot(...[0, 1, 2].map((axis) => at(next, axis) - at(i, axis))) > least;
+    return Math.hypot(...[0, 1, 2].map((axis) => at(next, axis) - at(i, axis))) > COARSE;
   });
 }
 
