@@ -26,7 +26,7 @@ export interface Wanted {
 }
 
 /** Coarse surfaces have an edge that is drawn longer, where a model reaches from −1 to 1. */
-const COARSE = 0.25;
+const COARSE = 0.5;
 /** The most triangles that are divided. */
 const MOST_DIVIDED = 20_000;
 
