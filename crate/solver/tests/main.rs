@@ -9,6 +9,7 @@ mod contacts;
 mod convergence;
 mod costs;
 mod cracks;
+mod curves;
 mod defects;
 mod directions;
 mod enclosed;

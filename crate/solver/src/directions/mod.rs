@@ -11,6 +11,7 @@ mod transport;
 use std::sync::Arc;
 
 pub use log_map::{LogMap, log_map};
+pub(crate) use plane::Plane;
 pub use transport::transport;
 
 use heatwalk_sparse::{Progress, Stage, report};

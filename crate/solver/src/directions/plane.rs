@@ -16,7 +16,7 @@ const SQUARE: f64 = 1e-12;
 
 /// The plane at a place.
 #[derive(Debug)]
-pub(super) struct Plane {
+pub(crate) struct Plane {
     /// In space.
     tangent: TangentPlane,
     /// Half-edges that [`Heading`]s may be measured from, with their angles: at a vertex those that leave it, at other places the first of each face.

@@ -70,7 +70,7 @@ impl Carried<'_> {
         let geometry = self.front.geometry();
         let plane = Plane::at_vertex(geometry, vertex)?;
         let number = match leg.root {
-            Root::End(_) => return None,
+            Root::End(_) | Root::Side(_) => return None,
             Root::Source(source) => {
                 let (start, number) = &self.starts[source];
                 if geometry.settled(self.front.sources()[source].place()) == Place::Vertex(vertex) {

@@ -7,7 +7,8 @@
 use heatwalk_sparse::c64;
 use heatwalk_surface::{Element, Place, VertexId};
 
-use super::geometry::{Frame, after};
+use super::geometry::{ExactGeometry, Frame, after};
+use super::goal::Goal;
 use super::origin::Origin;
 use super::portals::Portals;
 use super::ray::{Found, Ray};
@@ -114,7 +115,7 @@ struct Step {
 }
 
 /// Finds legs.
-struct Legs<'a> {
+pub(crate) struct Legs<'a> {
     front: &'a Wavefront,
     /// What was last found of each half-edge that [remembers](REMEMBERS).
     strips: Vec<Strip>,
@@ -131,10 +132,7 @@ impl Wavefront {
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
     pub(crate) fn for_each_leg(&self, mut tell: impl FnMut(usize, &Leg)) -> Result<()> {
-        let (mut strips, count) = (Vec::new(), (3 * self.surface.face_count()).div_ceil(REMEMBERS as usize));
-        strips.try_reserve_exact(count).map_err(|_| room::REFUSED)?;
-        strips.resize(count, UNKNOWN);
-        let mut legs = Legs { front: self, strips, steps: Vec::new(), open: Vec::new() };
+        let mut legs = Legs::new(self)?;
         let mut is_told = vec![false; self.values.len() + self.ends.values.len()];
         let mut open = Vec::new();
         for stop in 0..is_told.len() {
@@ -157,17 +155,61 @@ impl Wavefront {
 
     /// The vertex, or the end of a portal (`#V` + its number), where a leg begins or its portal does; none at a source.
     pub(crate) fn start_of_leg(&self, leg: &Leg) -> Option<usize> {
-        match leg.root {
-            Root::Source(_) => None,
+        self.stop_of_root(leg.root)
+    }
+
+    /// The vertex, or the end of a portal (`#V` + its number), that a root is or is reached from; none at a source.
+    pub(crate) fn stop_of_root(&self, root: Root) -> Option<usize> {
+        match root {
+            Root::Source(_) | Root::Side(_) => None,
             Root::Vertex(vertex) => Some(vertex.index()),
             Root::End(end) => Some(self.values.len() + Portals::across(end) as usize),
         }
     }
+
+    /// What the distance of a vertex, or of the end of a portal (`#V` + its number), starts from.
+    pub(crate) fn root_of_stop(&self, stop: usize) -> Option<Root> {
+        let origin = match stop.checked_sub(self.values.len()) {
+            None => self.origins[stop],
+            Some(end) => self.ends.origins[end],
+        };
+        match origin {
+            Origin::None | Origin::Portal => None,
+            Origin::Straight { root, .. } | Origin::Window { root, .. } => Some(self.root(root)),
+        }
+    }
 }
 
-impl Legs<'_> {
+impl Heading {
+    /// At a [settled](super::ExactGeometry::settled) place of a face, straight to another one there.
+    pub(crate) fn towards(geometry: &ExactGeometry, face: u32, [from, to]: [Place; 2]) -> Option<Self> {
+        let frame = geometry.frame(face);
+        let [from_weights, to] = [geometry.weights_at(from, face)?, geometry.weights_at(to, face)?];
+        let [from_x, from_y] = frame.place(0, from_weights);
+        let [to_x, to_y] = frame.place(0, to);
+        let side = match from {
+            Place::Vertex(vertex) => frame.corner(vertex.0).unwrap_or(0),
+            _ => 0,
+        };
+        let direction = from_side(frame, (0, side), c64::new(to_x - from_x, to_y - from_y));
+        Some(Self { side: 3 * face + side as u32, direction })
+    }
+}
+
+impl<'a> Legs<'a> {
+    /// Of a search that is done.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn new(front: &'a Wavefront) -> Result<Self> {
+        let (mut strips, count) = (Vec::new(), (3 * front.surface.face_count()).div_ceil(REMEMBERS as usize));
+        strips.try_reserve_exact(count).map_err(|_| room::REFUSED)?;
+        strips.resize(count, UNKNOWN);
+        Ok(Self { front, strips, steps: Vec::new(), open: Vec::new() })
+    }
+
     /// That of a vertex or of the end of a portal; none where it has no distance.
-    fn of(&mut self, stop: usize) -> Option<Leg> {
+    pub fn of(&mut self, stop: usize) -> Option<Leg> {
         let front = self.front;
         let (place, value, origin) = match stop.checked_sub(front.values.len()) {
             None => (Place::Vertex(VertexId::from_index(stop)), front.values.as_slice()[stop], front.origins[stop]),
@@ -189,18 +231,18 @@ impl Legs<'_> {
     fn straight(&self, place: Place, face: u32, root: u32) -> Option<Leg> {
         let front = self.front;
         let frame = front.geometry.frame(face);
-        let from = front.geometry.settled(front.place_of_root(root));
-        let ends = [front.geometry.weights_at(from, face)?, front.geometry.weights_at(place, face)?];
-        let [[from_x, from_y], [to_x, to_y]] = ends.map(|weights| frame.place(0, weights));
+        let from = front.goal(root);
+        let [to_x, to_y] = frame.place(0, front.geometry.weights_at(place, face)?);
+        let [from_x, from_y] = frame.place(0, front.weights_of_goal(from, 3 * face, [to_x, to_y])?);
         let direction = c64::new(to_x - from_x, to_y - from_y);
-        let heading = |place: Place, direction: c64| {
+        let heading = |place: Goal, direction: c64| {
             let side = self.side_at(place, face);
             Heading { side: 3 * face + side as u32, direction: from_side(frame, (0, side), direction) }
         };
         Some(Leg {
             root: front.root(root),
             departure: heading(from, direction),
-            arrival: heading(place, -direction),
+            arrival: heading(Goal::Place(place), -direction),
             is_mirrored: false,
         })
     }
@@ -212,7 +254,7 @@ impl Legs<'_> {
         let face = ray.halfedge / 3;
         let [x, y] = frame.place(k, front.geometry.weights_at(place, face)?);
         let direction = c64::new(x - ray.x, y + ray.depth);
-        let side = self.side_at(place, face);
+        let side = self.side_at(Goal::Place(place), face);
         let arrival = Heading { side: 3 * face + side as u32, direction: from_side(frame, (k, side), -direction) };
         let (root, side, turned) = match self.follow(ray, root, value)? {
             End::Root { side, turned } => (front.root(root), side, turned),
@@ -235,9 +277,9 @@ impl Legs<'_> {
     }
 
     /// The corner of a face that a settled place is at, or the first.
-    fn side_at(&self, place: Place, face: u32) -> usize {
+    fn side_at(&self, place: Goal, face: u32) -> usize {
         match place {
-            Place::Vertex(vertex) => self.front.geometry.frame(face).corner(vertex.0).unwrap_or(0),
+            Goal::Place(Place::Vertex(vertex)) => self.front.geometry.frame(face).corner(vertex.0).unwrap_or(0),
             _ => 0,
         }
     }
@@ -245,7 +287,7 @@ impl Legs<'_> {
     /// Follows a line to its root, or to a vertex on it that is nearer than `value`; none where it is lost.
     fn follow(&mut self, first: Ray, root: u32, value: f64) -> Option<End> {
         let front = self.front;
-        let source = front.geometry.settled(front.place_of_root(root));
+        let source = front.goal(root);
         let near = first.near(front.geometry.grain);
         self.steps.clear();
         self.open.clear();
@@ -287,14 +329,14 @@ impl Legs<'_> {
 
     /// Takes a line across an edge, as [`Wavefront::step`].
     #[inline(always)]
-    fn enter(&self, from: Step, (halfedge, is_mirrored): (u32, bool), goal: (Place, f64)) -> Entered {
+    fn enter(&self, from: Step, (halfedge, is_mirrored): (u32, bool), goal: (Goal, f64)) -> Entered {
         match self.front.step(from.ray, (halfedge, is_mirrored), goal) {
             Found::Lost => Entered::Lost,
             Found::Leaves(ray, by) => {
                 let by = if is_mirrored { -by } else { by };
                 Entered::Leaves(Step { ray, turned: from.turned.then(&Turned { by, is_mirrored }) })
             }
-            Found::Arrived => {
+            Found::Arrived(_) => {
                 let (frame, k) = self.front.geometry.frame_of(halfedge);
                 let side = self.side_at(goal.0, halfedge / 3);
                 // The half-edge across runs the other way, unless the face is mirrored.

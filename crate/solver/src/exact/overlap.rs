@@ -128,27 +128,28 @@ impl<'a> Overlap<'a> {
         let is_inside = (x >= 0.0) & (x <= width) & ((p * x + q) * delta >= 0.0);
         let meeting = low.0 + smaller(larger(either(is_inside, x, other), 0.0), width);
         let is_enough = (self.lead(meeting).abs() <= enough) | ((low.1 < 0.0) == (high.1 < 0.0));
-        if is_enough { meeting } else { self.search(low, high, enough) }
+        if is_enough { meeting } else { zero(|place| self.lead(place), low, high, enough) }
     }
+}
 
-    /// The same by the Illinois variant of the secant method, until the lead is small enough.
-    #[cold]
-    fn search(&self, mut low: (f64, f64), mut high: (f64, f64), enough: f64) -> f64 {
-        for _ in 0..60 {
-            let x = (low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)).max(low.0.min(high.0)).min(low.0.max(high.0));
-            let lead = self.lead(x);
-            if lead.abs() <= enough {
-                return x;
-            }
-            if (lead < 0.0) == (high.1 < 0.0) {
-                low.1 *= 0.5;
-            } else {
-                low = high;
-            }
-            high = (x, lead);
+/// Where a function is zero, between two places where its signs differ, each with its value there, by the Illinois variant of the secant
+/// method, until the value is small enough.
+#[cold]
+pub(super) fn zero(at: impl Fn(f64) -> f64, mut low: (f64, f64), mut high: (f64, f64), enough: f64) -> f64 {
+    for _ in 0..60 {
+        let x = (low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1)).max(low.0.min(high.0)).min(low.0.max(high.0));
+        let value = at(x);
+        if value.abs() <= enough {
+            return x;
         }
-        high.0
+        if (value < 0.0) == (high.1 < 0.0) {
+            low.1 *= 0.5;
+        } else {
+            low = high;
+        }
+        high = (x, value);
     }
+    high.0
 }
 
 /// The parts of a window that are nearer than all others of its half-edge, by more than this distance. The others lie in order, and

@@ -4,6 +4,7 @@ use heatwalk_sparse::c64;
 use heatwalk_surface::{Place, VertexId};
 
 use super::geometry::{after, before};
+use super::goal::Goal;
 use super::wavefront::Wavefront;
 use super::window::length;
 use crate::extremum::{larger, smaller};
@@ -29,8 +30,8 @@ pub(super) struct Ray {
 
 /// What a step into a face finds.
 pub(super) enum Found {
-    /// The source.
-    Arrived,
+    /// The source, at these weights of the face.
+    Arrived([f64; 3]),
     /// A way out, and what turns directions from the frame of the half-edge before to the one there, both seen from the faces that they
     /// are left by; that of a mirrored face turns by half a turn more.
     Leaves(Ray, c64),
@@ -47,10 +48,10 @@ impl Ray {
 
 impl Wavefront {
     /// Takes a ray into the face of `half-edge`, on the far side of its edge; `is_mirrored` where that half-edge runs in the
-    /// ray's half-edge's direction. Its source is at a place, which the geometry has [settled](super::ExactGeometry::settled), and is met
-    /// by what comes as near as `near`.
+    /// ray's half-edge's direction. Its source is met by what comes as near as
+    /// `near`.
     #[inline(always)]
-    pub(super) fn step(&self, ray: Ray, (halfedge, is_mirrored): (u32, bool), (source, near): (Place, f64)) -> Found {
+    pub(super) fn step(&self, ray: Ray, (halfedge, is_mirrored): (u32, bool), (source, near): (Goal, f64)) -> Found {
         let (frame, k) = self.geometry.frame_of(halfedge);
         let (l, r) = (before(k), after(k));
         let across = frame[k].length;
@@ -58,10 +59,10 @@ impl Wavefront {
         let turn = |x: f64| if is_mirrored { x } else { across - x };
         let (at, x, y) = (turn(ray.at), turn(ray.x), ray.depth);
         let opposite = frame.opposite(k);
-        if let Some(weights) = self.geometry.weights_at(source, halfedge / 3) {
+        if let Some(weights) = self.weights_of_goal(source, halfedge, [x, y]) {
             let [root_x, root_y] = frame.place(k, weights);
             if length(root_x - x, root_y - y) <= near {
-                return Found::Arrived;
+                return Found::Arrived(weights);
             }
         }
         let [forward, up] = [x - at, y];

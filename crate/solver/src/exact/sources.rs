@@ -249,7 +249,8 @@ impl Wavefront {
             Origin::None | Origin::Portal => None,
             Origin::Straight { face, root } => {
                 let (frame, start) = at_corner(face)?;
-                Some((start, frame.place(start.corner, self.weights_of_root(root, face)?)))
+                let weights = self.weights_of_goal(self.goal(root), 3 * face + start.corner as u32, [0.0; 2])?;
+                Some((start, frame.place(start.corner, weights)))
             }
             Origin::Window { halfedge, at, .. } => {
                 let (frame, start) = at_corner(halfedge / 3)?;
@@ -257,11 +258,6 @@ impl Wavefront {
                 Some((start, [x * (x - at) + y * y, y * at]))
             }
         }
-    }
-
-    /// Barycentric weights in a face of a vertex or source that windows start from.
-    pub(super) fn weights_of_root(&self, root: u32, face: u32) -> Option<[f64; 3]> {
-        self.geometry.weights_at(self.geometry.settled(self.place_of_root(root)), face)
     }
 
     /// Lights the faces around a vertex from one border of its shadow to the other, or to the boundary.

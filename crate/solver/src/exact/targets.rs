@@ -43,24 +43,31 @@ impl Targets {
 
     /// Offers the targets in a half-edge's face a window that crosses it, whose rays may miss them by `grain`. `nearer` is told those that it brings nearer, with
     /// their values.
-    pub fn see(
+    pub fn see(&mut self, frame: &Frame, halfedge: u32, (window, grain): (&Beam, f64), nearer: impl FnMut(u32, f64)) {
+        let seen = |[x, y]: [f64; 2]| {
+            let height = window.depth + y;
+            let crosses = window.x + (x - window.x) * window.depth / height;
+            let at = crosses.max(window.begin).min(window.end);
+            let is_missed = (crosses - at).abs() * height > length(x - window.x, height) * (GRAZE * height + grain);
+            let origin = Origin::Window { halfedge, root: window.root, at, x: window.x, depth: window.depth };
+            (!is_missed).then_some((window.at(at) + length(x - at, y), origin))
+        };
+        self.see_by(frame, halfedge, seen, nearer);
+    }
+
+    /// Offers the targets in a half-edge's face what they are `seen` by there, as it is laid out by the half-edge; `nearer` as for
+    /// [`Self::see`].
+    pub fn see_by(
         &mut self,
         frame: &Frame,
         halfedge: u32,
-        (window, grain): (&Beam, f64),
+        seen: impl Fn([f64; 2]) -> Option<(f64, Origin)>,
         mut nearer: impl FnMut(u32, f64),
     ) {
         for place in Arc::clone(&self.in_faces).in_face(halfedge / 3) {
-            let [x, y] = frame.place(halfedge as usize % 3, place.weights);
-            let crosses = window.x + (x - window.x) * window.depth / (window.depth + y);
-            let at = crosses.max(window.begin).min(window.end);
-            let height = window.depth + y;
-            if (crosses - at).abs() * height > length(x - window.x, height) * (GRAZE * height + grain) {
-                continue;
+            if let Some((value, origin)) = seen(frame.place(halfedge as usize % 3, place.weights)) {
+                self.offer(place.point, value, origin, &mut nearer);
             }
-            let value = window.at(at) + length(x - at, y);
-            let origin = Origin::Window { halfedge, root: window.root, at, x: window.x, depth: window.depth };
-            self.offer(place.point, value, origin, &mut nearer);
         }
     }
 

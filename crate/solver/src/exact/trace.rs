@@ -2,6 +2,7 @@
 
 use heatwalk_surface::{FaceId, HalfedgeId, Path, PathPoint, Place, VertexId};
 
+use super::goal::Goal;
 use super::origin::Origin;
 use super::portals::Portals;
 use super::ray::{Found, Ray};
@@ -58,14 +59,14 @@ impl Wavefront {
         let mut stop = start;
         // Values of vertices on the way fall strictly, so that each is passed once.
         loop {
-            let (root, last_face) = match stop.origin {
+            let (root, last) = match stop.origin {
                 // No path goes on from one portal to the next without a way between.
                 Origin::None | Origin::Portal => return Err(Error::Unreachable),
-                Origin::Straight { face, root } => (root, face),
+                Origin::Straight { face, root } => (root, Some((self.foot_of_root(root, face, stop.location), face))),
                 Origin::Window { halfedge, root, at, x, depth } => {
                     let ray = Ray { halfedge, at, x, depth };
                     match trace.follow_straight(&stop, root, ray) {
-                        Some(End::Root(face)) => (root, face),
+                        Some(End::Root(place, face)) => (root, Some((place, face))),
                         Some(End::Vertex(vertex, face)) => {
                             trace.go(Place::Vertex(VertexId(vertex)), face);
                             stop = self.at_vertex(vertex);
@@ -76,17 +77,17 @@ impl Wavefront {
                                 stop = self.at_vertex(vertex);
                                 continue;
                             }
-                            None => (trace.take_edges(&stop, root), NONE),
+                            None => {
+                                trace.take_edges(&stop, root);
+                                (root, None)
+                            }
                         },
                     }
                 }
             };
-            let location = self.place_of_root(root);
-            if last_face != NONE {
-                trace.go(location, last_face);
-            }
+            last.into_iter().for_each(|(place, face)| trace.go(place, face));
             stop = match self.root(root) {
-                Root::Source(_) => break,
+                Root::Source(_) | Root::Side(_) => break,
                 Root::Vertex(vertex) => self.at_vertex(vertex.0),
                 Root::End(end) => {
                     let stop = self.at_end(Portals::across(end));
@@ -105,11 +106,9 @@ impl Wavefront {
     }
 }
 
-const NONE: u32 = u32::MAX;
-
 /// How a straight line back ends, with the last face it goes through.
 enum End {
-    Root(u32),
+    Root(Place, u32),
     Vertex(u32, u32),
 }
 
@@ -144,7 +143,7 @@ impl Trace<'_> {
         let (front, begin) = (self.front, self.points.len());
         let end = self.follow(start, root, first)?;
         let (last, value, face) = match end {
-            End::Root(face) => (front.place_of_root(root), front.value_of_root(root), face),
+            End::Root(place, face) => (place, front.value_of_root(root), face),
             End::Vertex(vertex, face) => (Place::Vertex(VertexId(vertex)), front.values[VertexId(vertex)], face),
         };
         let places = self.points[begin - 1..].iter().map(|point| point.position).chain([last.position(&front.surface)]);
@@ -170,7 +169,7 @@ impl Trace<'_> {
         let mut ray = first;
         let begin = self.points.len();
         let near = first.near(front.geometry.grain);
-        let source = front.geometry.settled(front.place_of_root(root));
+        let source = front.goal(root);
         loop {
             let inside = ray.halfedge / 3;
             if let Some(vertex) = front.passes(start.value, root, &ray) {
@@ -192,7 +191,14 @@ impl Trace<'_> {
                 steps_left -= 1;
                 self.points.truncate(length);
                 match front.step(from, (halfedge, is_mirrored), (source, near)) {
-                    Found::Arrived => return Some(End::Root(halfedge / 3)),
+                    Found::Arrived(weights) => {
+                        let face = FaceId(halfedge / 3);
+                        let place = match source {
+                            Goal::Place(_) => front.place_of_root(root),
+                            Goal::Side(_) => Place::Face { face, weights },
+                        };
+                        return Some(End::Root(place, face.0));
+                    }
                     Found::Leaves(next, _) => {
                         ray = next;
                         break;
@@ -211,8 +217,8 @@ impl Trace<'_> {
         Some(corner)
     }
 
-    /// Goes along edges to a root's nearest corner instead: where rounding lost the line. Returns the root.
-    fn take_edges(&mut self, start: &Stop, root: u32) -> u32 {
+    /// Goes along edges to a root's nearest corner instead: where rounding lost the line.
+    fn take_edges(&mut self, start: &Stop, root: u32) {
         let front = self.front;
         let goal = front.place_of_root(root).nearest_vertex(&front.surface);
         let from = start.location.nearest_vertex(&front.surface);
@@ -226,7 +232,6 @@ impl Trace<'_> {
         let location = front.place_of_root(root);
         let face = self.shared_face(Place::Vertex(goal), location);
         self.go(location, face);
-        root
     }
 
     fn shared_face(&self, a: Place, b: Place) -> u32 {

@@ -16,6 +16,7 @@ use super::points::PointsInFaces;
 use super::portals::Portals;
 use super::queue::Buckets;
 use super::repeats::Repeats;
+use super::segments::{Lines, Segment, Segments};
 use super::targets::Targets;
 use super::window::{self, Beam, MARGIN, length};
 use crate::error::{Error, Result};
@@ -44,6 +45,8 @@ pub struct Wavefront {
     pub(super) reached: Vec<VertexId>,
     /// Windows that wait to enter a face by each of its half-edges.
     pub(super) waiting: Lists,
+    /// Where it starts from lines, too.
+    pub(super) lines: Option<Box<dyn Lines>>,
     /// Half-edges, then vertices that paths can bend at, then ends of portals.
     pub(super) queue: Buckets,
     repeats: Repeats,
@@ -86,6 +89,23 @@ impl Wavefront {
         Self::of_checked(geometry, sources, &targets)
     }
 
+    /// From segments of curves, with sources where these end.
+    ///
+    /// # Errors
+    /// [`Error::NotExact`] where faces have different costs; [`Error::OutOfMemory`].
+    pub(crate) fn of_segments(
+        geometry: Arc<ExactGeometry>,
+        segments: Vec<Segment>,
+        sources: Vec<Source>,
+        targets: &[Place],
+    ) -> Result<Self> {
+        require_one_cost(&geometry)?;
+        let mut wavefront = Self::of_checked(geometry, sources, targets)?;
+        let segments = Segments::started(segments, &mut wavefront);
+        wavefront.lines = Some(Box::new(segments));
+        Ok(wavefront)
+    }
+
     /// # Errors
     /// [`Error::OutOfMemory`].
     pub(crate) fn of_checked(geometry: Arc<ExactGeometry>, sources: Vec<Source>, targets: &[Place]) -> Result<Self> {
@@ -107,6 +127,7 @@ impl Wavefront {
             origins: vec![Origin::None; vertices],
             reached: Vec::new(),
             waiting: Lists::new(halfedges),
+            lines: None,
             queue: Buckets::new(items, base, BUCKET * geometry.mean_edge()),
             repeats: Repeats::new(halfedges),
             fans: Fans::default(),
@@ -135,6 +156,7 @@ impl Wavefront {
     pub(crate) fn restart_checked(&mut self, sources: Vec<Source>) {
         self.targets = targets_at(&self.geometry, &[]);
         self.ends.clear();
+        self.lines = None;
         if self.is_refused() {
             // What has been touched is not known.
             self.values.as_mut_slice().fill(f64::INFINITY);
@@ -185,7 +207,12 @@ impl Wavefront {
             self.fetch(&geometry, &batch);
             for &item in &batch {
                 match item.checked_sub(halfedges) {
-                    None => self.cross(&geometry, item),
+                    None => {
+                        if self.lines.is_some() {
+                            self.cross_strips(item);
+                        }
+                        self.cross(&geometry, item);
+                    }
                     Some(other) => match other.checked_sub(vertices) {
                         None => self.bend_at(other),
                         Some(end) => self.emerge(&geometry, end),
@@ -263,6 +290,7 @@ impl Wavefront {
         loop {
             let origin = match self.root(root) {
                 Root::Source(number) => return number as u32,
+                Root::Side(_) => return u32::MAX,
                 Root::Vertex(vertex) => self.origins[vertex.index()],
                 Root::End(end) => self.ends.origins[Portals::across(end) as usize],
             };
@@ -322,8 +350,15 @@ impl Wavefront {
         match root.checked_sub(vertices) {
             None => Root::Vertex(VertexId(root)),
             Some(number) if number < sources => Root::Source(number as usize),
-            Some(number) => Root::End(number - sources),
+            Some(number) => match (number - sources).checked_sub(self.ends.values.len() as u32) {
+                None => Root::End(number - sources),
+                Some(side) => Root::Side(side),
+            },
         }
+    }
+
+    pub(super) fn root_of_side(&self, side: u32) -> u32 {
+        self.root_of_end(self.ends.values.len() as u32) + side
     }
 
     pub(super) fn root_of_end(&self, end: u32) -> u32 {
@@ -337,15 +372,7 @@ impl Wavefront {
             Root::Vertex(vertex) => self.values[vertex],
             Root::Source(number) => self.sources[number].initial_distance(),
             Root::End(end) => self.ends.values[end as usize],
-        }
-    }
-
-    /// Where a root is.
-    pub(super) fn place_of_root(&self, root: u32) -> Place {
-        match self.root(root) {
-            Root::Vertex(vertex) => Place::Vertex(vertex),
-            Root::Source(number) => self.sources[number].place(),
-            Root::End(end) => self.ends.locations[end as usize],
+            Root::Side(_) => 0.0,
         }
     }
 
@@ -394,6 +421,15 @@ impl Wavefront {
             if self.geometry.can_bend(vertex) {
                 self.queue.push(self.waiting.len() as u32 + vertex, value);
             }
+        }
+    }
+
+    /// Lets what lines send to a half-edge enter its face.
+    #[cold]
+    fn cross_strips(&mut self, halfedge: u32) {
+        if let Some(mut lines) = self.lines.take() {
+            lines.cross(self, halfedge);
+            self.lines = Some(lines);
         }
     }
 
@@ -473,6 +509,13 @@ impl Wavefront {
     pub(super) fn is_current(&self, window: &Beam) -> bool {
         let at_root = self.values.get(VertexId(window.root)).copied();
         window.is_current(at_root.unwrap_or_else(|| self.value_of_root(window.root)), self.geometry.grain)
+    }
+
+    /// Offers the targets and the ends of portals in a half-edge's face what they are `seen` by there, as it is laid out by the half-edge.
+    pub(super) fn see_points(&mut self, frame: &Frame, halfedge: u32, seen: impl Fn([f64; 2]) -> Option<(f64, Origin)>) {
+        let (queue, first) = (&mut self.queue, (self.waiting.len() + self.values.len()) as u32);
+        self.targets.see_by(frame, halfedge, &seen, |_, _| ());
+        self.ends.see_by(frame, halfedge, &seen, |end, value| queue.push(first + end, value));
     }
 
     /// Offers the targets and the ends of portals in a half-edge's face the windows that enter there.
@@ -565,6 +608,8 @@ pub(crate) enum Root {
     Source(usize),
     /// An end of a portal, reached through the portal.
     End(u32),
+    /// A side of a segment.
+    Side(u32),
 }
 
 fn targets_at(geometry: &ExactGeometry, places: &[Place]) -> Targets {

@@ -89,7 +89,7 @@ impl Beam {
 
     /// Whether the interval is seen from the source under more than a small angle, in radians.
     #[inline(always)]
-    fn exceeds(&self, angle: f64) -> bool {
+    pub fn exceeds(&self, angle: f64) -> bool {
         let aside = larger(larger(self.begin - self.x, self.x - self.end), 0.0);
         (self.end - self.begin) * self.depth >= angle * (aside * aside + self.depth * self.depth)
     }

@@ -1,0 +1,91 @@
+//! On which side of curves vertices are: that from which they see the nearest point.
+
+use std::f64::consts::{PI, TAU};
+
+use heatwalk_surface::Place;
+
+use crate::directions::Plane;
+use crate::error::Result;
+use crate::exact::{Heading, Legs, Root, SIDES, Wavefront};
+
+/// A place where lines of curves begin or end.
+#[derive(Debug)]
+pub(super) struct Joint {
+    pub place: Place,
+    /// Each line's face and other end, and whether it begins here.
+    pub rays: Vec<(u32, Place, bool)>,
+}
+
+/// Whether each vertex is on the left of the curve that it is nearest to (`#V`), as the search from the curves has found; `joints` are
+/// its sources.
+pub(super) fn sides(front: &Wavefront, joints: &[Joint]) -> Result<Vec<bool>> {
+    let mut legs = Legs::new(front)?;
+    let mut angles: Vec<Option<Angles>> = joints.iter().map(|_| None).collect();
+    let count = front.values().len() + front.end_values().len();
+    let mut known: Vec<Option<bool>> = vec![None; count];
+    let mut open = Vec::new();
+    for stop in 0..count {
+        open.push(stop);
+        while let Some(&stop) = open.last() {
+            let leg = match front.root_of_stop(stop) {
+                Some(Root::Source(_)) => legs.of(stop),
+                _ => None,
+            };
+            let root = leg.map(|leg| leg.root).or_else(|| front.root_of_stop(stop));
+            let start = root.and_then(|root| front.stop_of_root(root));
+            match start.filter(|&start| known[start].is_none()) {
+                Some(start) => open.push(start),
+                None => {
+                    let is_left = match (root, leg, start) {
+                        (_, _, Some(start)) => known[start] == Some(true),
+                        (Some(Root::Side(side)), ..) => side % SIDES == 0,
+                        (Some(Root::Source(joint)), Some(leg), _) => {
+                            let own = match &angles[joint] {
+                                Some(own) => own,
+                                None => angles[joint].insert(Angles::of(front, &joints[joint])?),
+                            };
+                            own.are_left_of(&leg.departure)
+                        }
+                        _ => false,
+                    };
+                    known[stop] = Some(is_left);
+                    open.pop();
+                }
+            }
+        }
+    }
+    known.truncate(front.values().len());
+    Ok(known.into_iter().map(|is_left| is_left == Some(true)).collect())
+}
+
+/// The directions of lines at a joint.
+#[derive(Debug)]
+struct Angles {
+    plane: Plane,
+    /// In order, each with whether the line begins here.
+    rays: Vec<(f64, bool)>,
+}
+
+impl Angles {
+    fn of(front: &Wavefront, joint: &Joint) -> Result<Self> {
+        let geometry = front.geometry();
+        let plane = Plane::at(geometry, joint.place)?;
+        let angle = |&(face, to, begins): &(u32, Place, bool)| {
+            let heading = Heading::towards(geometry, face, [joint.place, to])?;
+            Some((plane.angle(&heading).rem_euclid(TAU), begins))
+        };
+        let mut rays: Vec<(f64, bool)> = joint.rays.iter().filter_map(angle).collect();
+        rays.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Ok(Self { plane, rays })
+    }
+
+    /// Whether a direction is on the left of the line that comes before it, counterclockwise.
+    fn are_left_of(&self, heading: &Heading) -> bool {
+        let angle = self.plane.angle(heading).rem_euclid(TAU);
+        if let [(ray, begins)] = self.rays[..] {
+            return ((angle - ray).rem_euclid(TAU) < PI) == begins;
+        }
+        let before = self.rays.iter().rev().find(|&&(ray, _)| ray <= angle).or(self.rays.last());
+        before.is_some_and(|&(_, begins)| begins)
+    }
+}

@@ -1,0 +1,182 @@
+//! Segments of curves as sources: strips go out from them to both sides, windows from their ends.
+
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
+
+use super::geometry::{Frame, after, before};
+use super::list::List;
+use super::origin::Origin;
+use super::strip::{self, Strip, merged, nearest_of};
+use super::wavefront::Wavefront;
+use super::window::length;
+
+/// A straight line in a face.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Segment {
+    pub face: u32,
+    /// Barycentric weights of its ends.
+    pub ends: [[f64; 3]; 2],
+}
+
+/// What lies on the left and on the right of a segment, as seen from outside.
+pub(crate) const SIDES: u32 = 2;
+
+/// What a wavefront has where it starts from lines too. The page's module is small without this as long as nobody asks for it.
+pub(super) trait Lines: std::fmt::Debug + Send + Sync {
+    /// Lets the strips that wait at a half-edge enter its face.
+    fn cross(&mut self, front: &mut Wavefront, halfedge: u32);
+
+    /// The face of a side's segment.
+    fn face(&self, side: u32) -> u32;
+
+    /// The weights of the place of a side's segment that is nearest to one of its face, which is laid out by its half-edge `k`.
+    fn foot(&self, frame: &Frame, k: usize, side: u32, place: [f64; 2]) -> [f64; 3];
+}
+
+/// Segments, and the strips that wait to enter a face by each of its half-edges.
+#[derive(Debug, Default)]
+pub(super) struct Segments {
+    all: Vec<Segment>,
+    waiting: HashMap<u32, Vec<Strip>>,
+}
+
+impl Lines for Segments {
+    fn cross(&mut self, front: &mut Wavefront, halfedge: u32) {
+        let Some(mut strips) = self.waiting.remove(&halfedge) else { return };
+        let geometry = Arc::clone(&front.geometry);
+        let ((frame, k), grain) = (geometry.frame_of(halfedge), geometry.grain);
+        let (sides, opposite) = (frame.seen_from(k), frame.opposite(k));
+        let limits = [sides[0], sides[1]].map(|side| front.limit(side.vertex));
+        strips.retain_mut(|strip| strip.clip(sides[0].length, limits, grain));
+        settle(front, halfedge, &mut strips);
+        front.propagated += strips.len();
+        let mut leaving = [Vec::new(), Vec::new()];
+        if leaving.iter_mut().any(|way| way.try_reserve(strips.len()).is_err()) {
+            return front.is_refused = true;
+        }
+        for strip in &strips {
+            let seen = |place: [f64; 2]| {
+                let (at, value) = strip.sees(place, grain)?;
+                let [x, depth] = strip.foot(at);
+                Some((value, Origin::Window { halfedge, root: strip.root, at, x, depth }))
+            };
+            front.see_points(frame, halfedge, seen);
+            if let Some((value, origin)) = seen(opposite) {
+                front.offer(sides[2].vertex, value, origin);
+            }
+            for (exit, way) in strip.exits(sides, opposite).into_iter().zip(&mut leaving) {
+                way.extend(exit.filter(|exit| exit.is_wide(grain)));
+            }
+        }
+        let first = halfedge - k as u32;
+        let [to_left, to_right] = leaving;
+        self.deliver(front, first + before(k) as u32, to_left);
+        self.deliver(front, first + after(k) as u32, to_right);
+    }
+
+    fn face(&self, side: u32) -> u32 {
+        self.all[(side / SIDES) as usize].face
+    }
+
+    fn foot(&self, frame: &Frame, k: usize, side: u32, place: [f64; 2]) -> [f64; 3] {
+        let Segment { ends, .. } = self.all[(side / SIDES) as usize];
+        let share = share(ends.map(|weights| frame.place(k, weights)), place).clamp(0.0, 1.0);
+        std::array::from_fn(|corner| ends[0][corner] + share * (ends[1][corner] - ends[0][corner]))
+    }
+}
+
+impl Segments {
+    /// Starts from all segments.
+    pub fn started(all: Vec<Segment>, front: &mut Wavefront) -> Self {
+        let mut segments = Self { all, waiting: HashMap::new() };
+        let geometry = Arc::clone(&front.geometry);
+        let mut leaving: BTreeMap<u32, Vec<Strip>> = BTreeMap::new();
+        for (number, segment) in segments.all.iter().enumerate() {
+            let left = front.root_of_side(number as u32 * SIDES);
+            let (frame, first) = (geometry.frame(segment.face), segment.face * 3);
+            for (k, side) in [(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (2, 1)] {
+                let strip = segment.strip(frame, k, side).filter(|strip| strip.is_wide(geometry.grain));
+                let rooted = strip.map(|strip| Strip { root: left + side, ..strip });
+                leaving.entry(first + k as u32).or_default().extend(rooted);
+            }
+            let seen = segment.seen(frame, left);
+            front.see_points(frame, first, &seen);
+            for k in 0..3 {
+                let corner = frame.place(0, std::array::from_fn(|corner| f64::from(u8::from(corner == k))));
+                if let Some((value, origin)) = seen(corner) {
+                    front.offer(frame[k].vertex, value, origin);
+                }
+            }
+        }
+        for (halfedge, strips) in leaving {
+            segments.deliver(front, halfedge, nearest_of(&strips));
+        }
+        segments
+    }
+
+    /// Brings strips that leave a face by a half-edge to the half-edges on the other faces of its edge.
+    fn deliver(&mut self, front: &mut Wavefront, halfedge: u32, strips: Vec<Strip>) {
+        let Some(nearest) = strips.iter().map(Strip::nearest).reduce(f64::min) else { return };
+        let geometry = Arc::clone(&front.geometry);
+        let (frame, k) = geometry.frame_of(halfedge);
+        for (target, is_mirrored) in geometry.across(halfedge) {
+            let turned = strips.iter().rev().map(|strip| strip.mirrored(frame[k].length));
+            let own = if is_mirrored { turned.collect() } else { strips.clone() };
+            let waiting = self.waiting.entry(target).or_default();
+            *waiting = if waiting.is_empty() { own } else { merged(waiting, &own) };
+            front.queue.push(target, nearest);
+        }
+    }
+}
+
+/// Leaves of the strips and the windows that wait at a half-edge what is not farther than the other.
+fn settle(front: &mut Wavefront, halfedge: u32, strips: &mut Vec<Strip>) {
+    if front.waiting.at(halfedge).is_empty() || strips.is_empty() {
+        return;
+    }
+    let mut windows = Vec::new();
+    let bundles = front.waiting.take(halfedge, &mut windows);
+    let mut list = List::new(windows, bundles);
+    list.open();
+    front.is_refused |= list.is_refused;
+    strip::settle(strips, &mut list.windows);
+    if !list.windows.is_empty() {
+        front.waiting.add(halfedge, &mut list.windows);
+    }
+}
+
+impl Segment {
+    /// The strip that its left (0) or right side sends by half-edge `k` of its face, as the half-edge across sees it.
+    fn strip(&self, frame: &Frame, k: usize, side: u32) -> Option<Strip> {
+        let [p, q] = self.ends.map(|weights| frame.place(k, weights));
+        let along = length(q[0] - p[0], q[1] - p[1]);
+        let [x, y] = [(q[0] - p[0]) / along, (q[1] - p[1]) / along];
+        let [x, y] = if side == 0 { [-y, x] } else { [y, -x] };
+        let meets = [p, q].map(|[at, up]| at - x * up / y);
+        let length = frame[k].length;
+        let (begin, end) = (meets[0].min(meets[1]).max(0.0), meets[0].max(meets[1]).min(length));
+        let base = (length - p[0]) * x - p[1] * y;
+        (y < 0.0).then_some(Strip { begin: length - end, end: length - begin, base, along: -x, up: -y, root: side })
+    }
+
+    /// What a place of its face, laid out by the first half-edge, has to the nearest place of the segment, if that is not an end: those are
+    /// sources. `left` is the root of the left side.
+    fn seen(&self, frame: &Frame, left: u32) -> impl Fn([f64; 2]) -> Option<(f64, Origin)> + use<> {
+        let face = self.face;
+        let [p, q] = self.ends.map(|weights| frame.place(0, weights));
+        let [along, up] = [q[0] - p[0], q[1] - p[1]];
+        move |place| {
+            let share = share([p, q], place);
+            let aside = along * (place[1] - p[1]) - up * (place[0] - p[0]);
+            let root = left + u32::from(aside < 0.0);
+            let value = aside.abs() / length(along, up);
+            (share > 0.0 && share < 1.0).then_some((value, Origin::Straight { face, root }))
+        }
+    }
+}
+
+/// How far along a line from one place to another the place is that is nearest to a third, as a share of the line.
+fn share([p, q]: [[f64; 2]; 2], [x, y]: [f64; 2]) -> f64 {
+    let [along, up] = [q[0] - p[0], q[1] - p[1]];
+    ((x - p[0]) * along + (y - p[1]) * up) / (along * along + up * up)
+}
