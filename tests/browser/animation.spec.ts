@@ -2,6 +2,7 @@
 import { ARM, ARM_LENGTH, armGlb } from '../animated';
 import { glb, sphere } from '../fixtures';
 import { difference, expect, type HeatwalkPage, openSection, SEEN, test } from '../page';
+import { runInWorkers, workerThatPrints } from '../worker';
 
 test.use(SEEN);
 
@@ -131,6 +132,38 @@ test('distance is measured in each pose where that is wanted', async ({ heatwalk
   await page.keyboard.press('p');
   await heatwalk.settled();
   expect(await heatwalk.refining(), 'where it stops it is measured well').toBe('exact');
+});
+
+test('what is asked while a pose is not measured yet leaves no message', async ({ heatwalk, page }) => {
+  // The answer in the other pose waits until arrows have been asked for.
+  await runInWorkers(
+    page,
+    `let held = null;
+    addEventListener('message', (event) => {
+      const [name] = event.data.path ?? [];
+      if (name === 'propagate' && globalThis.holds) {
+        globalThis.holds = false;
+        held = event.data;
+        event.stopImmediatePropagation();
+        console.info('held');
+      } else if (name === 'gradients' && held) {
+        const data = held;
+        held = null;
+        setTimeout(() => dispatchEvent(new MessageEvent('message', { data })));
+        console.info('asked');
+      }
+    });`,
+  );
+  await openArm(heatwalk, 'clip=1&time=1&live=1&refine=0');
+  for (const worker of page.workers()) await worker.evaluate('globalThis.holds = true');
+  const [held, asked] = ['held', 'asked'].map((text) => workerThatPrints(page, text));
+  await page.getByRole('slider', { name: 'Time' }).fill('2');
+  await held;
+  await page.evaluate(() => void window.heatwalk.set({ show: 'distance' }));
+  await asked;
+  await heatwalk.settled();
+  expect((await heatwalk.field()).maxDistance).toBeCloseTo(2 * (ARM_LENGTH + 1), 0);
+  await expect(page.getByRole('alert')).toBeEmpty();
 });
 
 test('parts are joined where they meet in the pose in which a model stands still', async ({ heatwalk, page }) => {

@@ -1,5 +1,5 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
-import { Failure, toError } from '../error';
+import { Failure, isUnsolved, toError } from '../error';
 import type { Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
 import { type Answer, type Engine, isFieldOf, isSameMoment, type Question } from '../solver/engine';
@@ -266,9 +266,13 @@ export class Session {
     this.view.spin = this.turntable.value ? TURNTABLE_SPEED : 0;
   }
 
-  /** Tells that a question failed. What a worker that has ended leaves unanswered is no failure of its own. */
+  /**
+   * Tells that a question failed. What a worker that has ended leaves unanswered is no failure of its own, nor is what is asked beside
+   * a field while the worker holds none: the next one is on its way, or its failure is told.
+   */
   fail(error: unknown): void {
     if (error instanceof Cancelled || error instanceof WorkerLost) return;
+    if (isUnsolved(error) && this.shown.value?.answer.field) return;
     this.failure.value = toError(error);
   }
 
