@@ -173,6 +173,32 @@ test('a link opens both sides', { tag: '@page' }, async ({ heatwalk, page }) => 
   await expect(line).toBeHidden();
 });
 
+test('the line ends below the heading', { tag: '@page' }, async ({ heatwalk, page }) => {
+  await heatwalk.open('#v=1&m=bunny&vs=method:heat,refine:0');
+  const line = page.locator('.compare');
+  await expect(line).toBeVisible();
+  // What lies under the heading is found where it can be clicked.
+  await page.addStyleTag({ content: '.compare { pointer-events: auto !important; }' });
+  for (const [width, height] of [
+    [1100, 720],
+    [390, 844],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    await expect(async () => {
+      const [own, heading] = [await line.boundingBox(), await page.locator('.heading').boundingBox()];
+      const isAt = (top: number) =>
+        line.evaluate((element, at) => document.elementsFromPoint(...at).includes(element), [
+          (own?.x ?? 0) + 1,
+          top,
+        ] as const);
+      expect(await isAt((heading?.y ?? 0) + (heading?.height ?? 0) / 2), `${width} × ${height}, in the heading`).toBe(
+        false,
+      );
+      expect(await isAt(height / 2), `${width} × ${height}, over the model`).toBe(true);
+    }).toPass({ timeout: 10_000 });
+  }
+});
+
 test('two settings inside of tetrahedra share boundary and cut', { tag: '@page' }, async ({ heatwalk, page }) => {
   // Behind a wall, where distances are not straight. Seen at right angles to the cut, which covers what is compared.
   const n = 8;
