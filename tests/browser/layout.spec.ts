@@ -173,6 +173,26 @@ test.describe('on a phone', () => {
   });
 });
 
+for (const [width, height] of [
+  [390, 844],
+  [844, 390],
+] as const) {
+  test.describe(`in a window of ${width} × ${height}`, () => {
+    test.use({ viewport: { width, height } });
+
+    test('one message at a time lies over the model', async ({ heatwalk, page }) => {
+      await heatwalk.open('#v=1&m=bunny&open=kitchen&links=2');
+      await expect(page.locator('.message')).toHaveCount(3);
+      const seen = page.locator('.message:visible');
+      await expect(seen).toContainText('links=2');
+      await page.keyboard.press('Escape');
+      await expect(seen).toContainText('open=kitchen is invalid');
+      await page.getByRole('button', { name: 'Close the message' }).click();
+      await expect(page.locator('.notice')).toHaveCount(0);
+    });
+  });
+}
+
 for (const locale of ['en-US', 'fr-FR']) {
   test.describe(`in ${locale}`, () => {
     test.use({ locale });

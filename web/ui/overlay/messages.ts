@@ -143,10 +143,10 @@ export class Messages implements Notifier {
     if (SMALL.matches || (isOnModel && this.#summary?.querySelector('.question'))) this.#summary?.remove();
   }
 
-  /** Escape closes the newest message. */
+  /** Escape closes the newest message of those that are seen. */
   closeNewest(): boolean {
-    const all = this.element.querySelectorAll('.message');
-    const newest = all[all.length - 1];
+    const all = this.element.querySelectorAll<HTMLElement>('.message');
+    const newest = [...all].findLast((each) => each.offsetParent !== null);
     newest?.remove();
     return newest !== undefined;
   }
