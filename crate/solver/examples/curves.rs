@@ -10,7 +10,9 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use heatwalk::exact::{ExactGeometry, exact_distance};
-use heatwalk::{Curve, Element, FaceId, Place, Source, Surface, VertexId, curve_distance, go_on, signed_curve_distance};
+use heatwalk::{
+    Curve, Element, FaceId, Place, Source, Surface, VertexId, curve_distance, go_on, signed_curve_distance,
+};
 use heatwalk_model::io;
 
 /// Runs of each that are timed, in turn.
@@ -23,7 +25,9 @@ const PLACES: usize = 6;
 const POINTS: f64 = 10_000.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!("| mesh | lines | point, ms | curve / point | signed / point | above points | below points, by spacing² / d |");
+    println!(
+        "| mesh | lines | point, ms | curve / point | signed / point | above points | below points, by spacing² / d |"
+    );
     println!("|---|---|---|---|---|---|---|");
     std::env::args().skip(1).try_for_each(|path| measure(Path::new(&path)))
 }
@@ -51,7 +55,8 @@ fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
         let of_point = timed(&|| exact_distance(&surface, &[places[0]], &mut go_on).map(|all| drop(black_box(all))))?;
         let curves = [curve.clone()];
         let of_curve = timed(&|| curve_distance(&geometry, &curves, &mut go_on).map(|all| drop(black_box(all))))?;
-        let with_sign = timed(&|| signed_curve_distance(&geometry, &curves, &mut go_on).map(|all| drop(black_box(all))))?;
+        let with_sign =
+            timed(&|| signed_curve_distance(&geometry, &curves, &mut go_on).map(|all| drop(black_box(all))))?;
         point.push(of_point);
         ratios.push(of_curve / of_point);
         signed.push(with_sign / of_point);

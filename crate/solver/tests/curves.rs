@@ -10,8 +10,8 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3, dvec2};
 use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance};
 use heatwalk::{
-    Costs, Curve, Element, Error, FaceId, Line, Place, Soup, Source, Surface, VertexData, VertexId, curve_distance, curve_search, go_on,
-    signed_curve_distance,
+    Costs, Curve, Element, Error, FaceId, Line, Place, Soup, Source, Surface, VertexData, VertexId, curve_distance,
+    curve_search, go_on, signed_curve_distance,
 };
 use heatwalk_shapes as shapes;
 
@@ -64,8 +64,12 @@ fn place_at(surface: &Surface, point: DVec2) -> Place {
     let of_face = |face: FaceId| {
         let [a, b, c] = surface.corners(face).map(DVec3::truncate);
         let area = (b - a).perp_dot(c - a);
-        let weights = [(b - point).perp_dot(c - point), (c - point).perp_dot(a - point), (a - point).perp_dot(b - point)];
-        weights.iter().all(|&weight| weight >= -1e-15).then(|| Place::Face { face, weights: weights.map(|weight| weight / area) })
+        let weights =
+            [(b - point).perp_dot(c - point), (c - point).perp_dot(a - point), (a - point).perp_dot(b - point)];
+        weights
+            .iter()
+            .all(|&weight| weight >= -1e-15)
+            .then(|| Place::Face { face, weights: weights.map(|weight| weight / area) })
     };
     surface.faces().ids().find_map(of_face).expect("a place of the square")
 }
@@ -111,7 +115,11 @@ fn in_the_plane_distance_is_to_the_nearest_point_of_polygons_and_signed_by_their
                 let (right, is_left) = to_polygon(&points, is_closed, surface.position(vertex).truncate());
                 assert!((found[vertex] - right).abs() < ROUNDING, "{} for {right} at {vertex:?}", found[vertex]);
                 let right = if is_left { -right } else { right };
-                assert!((with_sign[vertex] - right).abs() < ROUNDING, "{} for {right} at {vertex:?}", with_sign[vertex]);
+                assert!(
+                    (with_sign[vertex] - right).abs() < ROUNDING,
+                    "{} for {right} at {vertex:?}",
+                    with_sign[vertex]
+                );
             }
         }
     }
@@ -282,6 +290,13 @@ fn what_is_no_curve_is_refused() {
     assert!(matches!(curve_distance(&geometry, &[], &mut go_on), Err(Error::NoSource)));
 
     let curve = through(&geometry, &[Place::Vertex(VertexId(0)), Place::Vertex(VertexId(20))], false);
+    let (_, pages) = laid_out(&book(3, 2));
+    let spine = through(&pages, &[VertexId(0), VertexId(1), VertexId(5)].map(Place::Vertex), false);
+    let refused = signed_curve_distance(&pages, &[spine], &mut go_on).expect_err("no sides").to_string();
+    assert!(
+        refused.starts_with("a place of the curve is at vertex 0; it must be where the triangles around"),
+        "{refused}"
+    );
     let (_, other) = laid_out(&shapes::icosphere(5));
     assert!(curve_distance(&other, &[curve.clone()], &mut go_on).is_err());
     let large = through(&other, &[Place::Vertex(VertexId(0)), Place::Vertex(VertexId(1))], false);

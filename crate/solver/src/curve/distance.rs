@@ -16,7 +16,11 @@ use crate::exact::{ExactGeometry, Segment, WORK_BETWEEN_CALLS, Wavefront};
 ///
 /// # Errors
 /// As [`curve_search`]; [`Error::Cancelled`].
-pub fn curve_distance(geometry: &Arc<ExactGeometry>, curves: &[Curve], progress: Progress<'_>) -> Result<VertexData<f64>> {
+pub fn curve_distance(
+    geometry: &Arc<ExactGeometry>,
+    curves: &[Curve],
+    progress: Progress<'_>,
+) -> Result<VertexData<f64>> {
     Ok(searched(curve_search(geometry, curves, &[] as &[Place])?, progress)?.into_values())
 }
 

@@ -69,7 +69,8 @@ impl Curve {
 
     /// All boundaries, with the surface on the right; none where there is no boundary.
     pub fn boundary(surface: &Surface) -> Option<Self> {
-        let is_boundary = |&(face, k): &(FaceId, usize)| surface.edges().next_on_edge(face.halfedge(k)) == face.halfedge(k);
+        let is_boundary =
+            |&(face, k): &(FaceId, usize)| surface.edges().next_on_edge(face.halfedge(k)) == face.halfedge(k);
         let sides = surface.faces().ids().flat_map(|face| [0, 1, 2].map(|k| (face, k)));
         let line = |(face, k): (FaceId, usize)| {
             let [start, end] = surface.ends(face.halfedge(k)).map(Place::Vertex);
@@ -102,7 +103,11 @@ impl Curve {
         lines.retain(|line| line.length(surface) > 0.0);
         if lines.is_empty() {
             let value = format!("given by {} place{}", places.len(), if places.len() == 1 { "" } else { "s" });
-            return Err(Error::BadParameter { name: "the curve", value, range: "given by two different places or more" });
+            return Err(Error::BadParameter {
+                name: "the curve",
+                value,
+                range: "given by two different places or more",
+            });
         }
         Ok(Self { surface: surface.id(), lines })
     }

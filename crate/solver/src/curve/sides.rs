@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use heatwalk_surface::Place;
 
 use crate::directions::Plane;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::exact::{Heading, Legs, Root, SIDES, Wavefront};
 
 /// A place where lines of curves begin or end.
@@ -69,7 +69,12 @@ struct Angles {
 impl Angles {
     fn of(front: &Wavefront, joint: &Joint) -> Result<Self> {
         let geometry = front.geometry();
-        let plane = Plane::at(geometry, joint.place)?;
+        let plane = Plane::at(geometry, joint.place).map_err(|error| match error {
+            Error::BadParameter { value, range, .. } => {
+                Error::BadParameter { name: "a place of the curve", value, range }
+            }
+            error => error,
+        })?;
         let angle = |&(face, to, begins): &(u32, Place, bool)| {
             let heading = Heading::towards(geometry, face, [joint.place, to])?;
             Some((plane.angle(&heading).rem_euclid(TAU), begins))

@@ -85,6 +85,21 @@ impl Lists {
         list::for_each(self.at(halfedge), bundles, tell);
     }
 
+    /// The windows that wait at a half-edge, to be changed where they stay in order; bundles are opened.
+    pub fn at_mut(&mut self, halfedge: u32) -> &mut Vec<Beam> {
+        let number = self.numbers[halfedge as usize];
+        if is_bundled(number) {
+            let mut list = List::default();
+            list.bundles = self.take(halfedge, &mut list.windows);
+            list.open();
+            self.is_refused |= list.is_refused;
+            if let Some(number) = self.occupy(halfedge) {
+                self.lists[number] = list.windows;
+            }
+        }
+        &mut self.lists[(self.numbers[halfedge as usize] & !BUNDLED) as usize]
+    }
+
     /// Takes all windows of a half-edge out; `windows` is empty before, and its memory is kept for later.
     pub fn take(&mut self, halfedge: u32, windows: &mut Vec<Beam>) -> Bundles {
         let number = std::mem::take(&mut self.numbers[halfedge as usize]);

@@ -27,6 +27,7 @@ mod origin;
 mod overlap;
 mod places;
 mod points;
+mod pool;
 mod portals;
 mod queue;
 mod ray;

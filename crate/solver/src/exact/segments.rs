@@ -1,14 +1,15 @@
 //! Segments of curves as sources: strips go out from them to both sides, windows from their ends.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::geometry::{Frame, after, before};
-use super::list::List;
+use super::geometry::{ExactGeometry, Frame, after, before};
 use super::origin::Origin;
-use super::strip::{self, Strip, merged, nearest_of};
+use super::pool::Pool;
+use super::strip::{Lost, Strip, merge, nearest_of};
 use super::wavefront::Wavefront;
 use super::window::length;
+use crate::extremum::smaller;
 
 /// A straight line in a face.
 #[derive(Debug, Clone, Copy)]
@@ -24,7 +25,7 @@ pub(crate) const SIDES: u32 = 2;
 /// What a wavefront has where it starts from lines too. The page's module is small without this as long as nobody asks for it.
 pub(super) trait Lines: std::fmt::Debug + Send + Sync {
     /// Lets the strips that wait at a half-edge enter its face.
-    fn cross(&mut self, front: &mut Wavefront, halfedge: u32);
+    fn cross(&mut self, front: &mut Wavefront, geometry: &ExactGeometry, halfedge: u32);
 
     /// The face of a side's segment.
     fn face(&self, side: u32) -> u32;
@@ -34,33 +35,48 @@ pub(super) trait Lines: std::fmt::Debug + Send + Sync {
 }
 
 /// Segments, and the strips that wait to enter a face by each of its half-edges.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Segments {
     all: Vec<Segment>,
-    waiting: HashMap<u32, Vec<Strip>>,
+    waiting: Pool<Strip>,
+    /// Strips that cross now; kept for its memory.
+    crossing: Vec<Strip>,
+    /// Those that leave by either half-edge; kept for its memory.
+    leaving: [Vec<Strip>; 2],
+    /// Kept for their memory.
+    merged: Vec<Strip>,
+    lost: Lost,
 }
 
 impl Lines for Segments {
-    fn cross(&mut self, front: &mut Wavefront, halfedge: u32) {
-        let Some(mut strips) = self.waiting.remove(&halfedge) else { return };
-        let geometry = Arc::clone(&front.geometry);
+    fn cross(&mut self, front: &mut Wavefront, geometry: &ExactGeometry, halfedge: u32) {
+        if self.waiting.is_empty(halfedge) {
+            return;
+        }
+        let mut strips = std::mem::take(&mut self.crossing);
+        self.waiting.take(halfedge, &mut strips);
         let ((frame, k), grain) = (geometry.frame_of(halfedge), geometry.grain);
         let (sides, opposite) = (frame.seen_from(k), frame.opposite(k));
         let limits = [sides[0], sides[1]].map(|side| front.limit(side.vertex));
         strips.retain_mut(|strip| strip.clip(sides[0].length, limits, grain));
-        settle(front, halfedge, &mut strips);
+        if !strips.is_empty() && !front.waiting.at(halfedge).is_empty() {
+            self.lost.settle(&mut strips, front.waiting.at_mut(halfedge));
+        }
         front.propagated += strips.len();
-        let mut leaving = [Vec::new(), Vec::new()];
+        let mut leaving = std::mem::take(&mut self.leaving);
         if leaving.iter_mut().any(|way| way.try_reserve(strips.len()).is_err()) {
             return front.is_refused = true;
         }
+        let has_points = front.targets.are_in(halfedge / 3) || front.ends.are_in(halfedge / 3);
         for strip in &strips {
             let seen = |place: [f64; 2]| {
                 let (at, value) = strip.sees(place, grain)?;
                 let [x, depth] = strip.foot(at);
                 Some((value, Origin::Window { halfedge, root: strip.root, at, x, depth }))
             };
-            front.see_points(frame, halfedge, seen);
+            if has_points {
+                front.see_points(frame, halfedge, seen);
+            }
             if let Some((value, origin)) = seen(opposite) {
                 front.offer(sides[2].vertex, value, origin);
             }
@@ -69,9 +85,11 @@ impl Lines for Segments {
             }
         }
         let first = halfedge - k as u32;
-        let [to_left, to_right] = leaving;
-        self.deliver(front, first + before(k) as u32, to_left);
-        self.deliver(front, first + after(k) as u32, to_right);
+        for (out, way) in [before(k), after(k)].into_iter().zip(&mut leaving) {
+            self.deliver(front, geometry, first + out as u32, way);
+        }
+        strips.clear();
+        (self.crossing, self.leaving) = (strips, leaving);
     }
 
     fn face(&self, side: u32) -> u32 {
@@ -88,7 +106,14 @@ impl Lines for Segments {
 impl Segments {
     /// Starts from all segments.
     pub fn started(all: Vec<Segment>, front: &mut Wavefront) -> Self {
-        let mut segments = Self { all, waiting: HashMap::new() };
+        let mut segments = Self {
+            all,
+            waiting: Pool::new(front.waiting.len()),
+            crossing: Vec::new(),
+            leaving: Default::default(),
+            merged: Vec::new(),
+            lost: Lost::default(),
+        };
         let geometry = Arc::clone(&front.geometry);
         let mut leaving: BTreeMap<u32, Vec<Strip>> = BTreeMap::new();
         for (number, segment) in segments.all.iter().enumerate() {
@@ -109,39 +134,38 @@ impl Segments {
             }
         }
         for (halfedge, strips) in leaving {
-            segments.deliver(front, halfedge, nearest_of(&strips));
+            segments.deliver(front, &geometry, halfedge, &mut nearest_of(&strips));
         }
         segments
     }
 
-    /// Brings strips that leave a face by a half-edge to the half-edges on the other faces of its edge.
-    fn deliver(&mut self, front: &mut Wavefront, halfedge: u32, strips: Vec<Strip>) {
-        let Some(nearest) = strips.iter().map(Strip::nearest).reduce(f64::min) else { return };
-        let geometry = Arc::clone(&front.geometry);
+    /// Brings strips that leave a face by a half-edge to the half-edges on the other faces of its edge. None is left.
+    fn deliver(&mut self, front: &mut Wavefront, geometry: &ExactGeometry, halfedge: u32, strips: &mut Vec<Strip>) {
+        let Some(nearest) = strips.iter().map(Strip::nearest).reduce(smaller) else { return };
         let (frame, k) = geometry.frame_of(halfedge);
-        for (target, is_mirrored) in geometry.across(halfedge) {
-            let turned = strips.iter().rev().map(|strip| strip.mirrored(frame[k].length));
-            let own = if is_mirrored { turned.collect() } else { strips.clone() };
-            let waiting = self.waiting.entry(target).or_default();
-            *waiting = if waiting.is_empty() { own } else { merged(waiting, &own) };
-            front.queue.push(target, nearest);
+        if let Some(twin) = frame[k].twin() {
+            self.add(twin, strips);
+            front.queue.push(twin, nearest);
+        } else {
+            for (target, is_mirrored) in geometry.across(halfedge) {
+                let turned = strips.iter().rev().map(|strip| strip.mirrored(frame[k].length));
+                let mut own = if is_mirrored { turned.collect() } else { strips.clone() };
+                self.add(target, &mut own);
+                front.queue.push(target, nearest);
+            }
         }
+        strips.clear();
     }
-}
 
-/// Leaves of the strips and the windows that wait at a half-edge what is not farther than the other.
-fn settle(front: &mut Wavefront, halfedge: u32, strips: &mut Vec<Strip>) {
-    if front.waiting.at(halfedge).is_empty() || strips.is_empty() {
-        return;
-    }
-    let mut windows = Vec::new();
-    let bundles = front.waiting.take(halfedge, &mut windows);
-    let mut list = List::new(windows, bundles);
-    list.open();
-    front.is_refused |= list.is_refused;
-    strip::settle(strips, &mut list.windows);
-    if !list.windows.is_empty() {
-        front.waiting.add(halfedge, &mut list.windows);
+    /// Adds strips to those that wait at a half-edge. What is left of them is of no meaning.
+    fn add(&mut self, halfedge: u32, strips: &mut Vec<Strip>) {
+        let waiting = self.waiting.at(halfedge);
+        if waiting.is_empty() {
+            std::mem::swap(waiting, strips);
+        } else {
+            merge([waiting, strips], &mut self.merged);
+            std::mem::swap(waiting, &mut self.merged);
+        }
     }
 }
 

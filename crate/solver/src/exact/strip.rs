@@ -115,30 +115,33 @@ pub(super) fn nearest_of(strips: &[Strip]) -> Vec<Strip> {
         [] | [_] => strips.to_vec(),
         _ => {
             let [first, second] = [&strips[..strips.len() / 2], &strips[strips.len() / 2..]].map(nearest_of);
-            merged(&first, &second)
+            let mut nearest = Vec::new();
+            merge([&first, &second], &mut nearest);
+            nearest
         }
     }
 }
 
-/// The same of two lists that are so.
-pub(super) fn merged(first: &[Strip], second: &[Strip]) -> Vec<Strip> {
-    let mut nearest: Vec<Strip> = Vec::with_capacity(first.len() + second.len());
-    let mut rest = [first, second].map(|list| list.iter().copied());
+/// The same of two lists that are so. What `nearest` holds before is of no meaning, but its memory.
+pub(super) fn merge(lists: [&[Strip]; 2], nearest: &mut Vec<Strip>) {
+    nearest.clear();
+    let mut rest = lists.map(|list| list.iter().copied());
     let mut heads = rest.each_mut().map(Iterator::next);
     while let [Some(one), Some(other)] = heads {
         let sooner = usize::from(other.begin < one.begin);
         let [one, other] = if sooner == 0 { [one, other] } else { [other, one] };
         let (from, to) = (smaller(other.begin, one.end), smaller(one.end, other.end));
-        push(&mut nearest, one.part(one.begin, from));
+        push(nearest, one.part(one.begin, from));
         if from < to {
             let leads = [from, to].map(|x| one.at(x) - other.at(x));
             let change = from + (to - from) * larger(0.0, smaller(leads[0] / (leads[0] - leads[1]), 1.0));
             let (a, b) = if leads[0] <= 0.0 { (one, other) } else { (other, one) };
             let change = if (leads[0] <= 0.0) == (leads[1] <= 0.0) { to } else { change };
-            push(&mut nearest, a.part(from, change));
-            push(&mut nearest, b.part(change, to));
+            push(nearest, a.part(from, change));
+            push(nearest, b.part(change, to));
         }
-        let left = |strip: Strip| Some(strip.part(larger(strip.begin, to), strip.end)).filter(|left| left.begin < left.end);
+        let left =
+            |strip: Strip| Some(strip.part(larger(strip.begin, to), strip.end)).filter(|left| left.begin < left.end);
         let others = 1 - sooner;
         heads[sooner] = left(one).or_else(|| rest[sooner].next());
         if from < to {
@@ -146,9 +149,8 @@ pub(super) fn merged(first: &[Strip], second: &[Strip]) -> Vec<Strip> {
         }
     }
     for (head, rest) in heads.into_iter().zip(rest) {
-        head.into_iter().chain(rest).for_each(|strip| push(&mut nearest, strip));
+        head.into_iter().chain(rest).for_each(|strip| push(nearest, strip));
     }
-    nearest
 }
 
 /// Appends a strip, or what it goes on with.
@@ -162,35 +164,86 @@ fn push(list: &mut Vec<Strip>, strip: Strip) {
     }
 }
 
-/// Leaves of the strips and the windows of one half-edge, each in order along it, what is not farther than the other.
-pub(super) fn settle(strips: &mut Vec<Strip>, beams: &mut Vec<Beam>) {
-    let (all, windows) = (std::mem::take(strips), std::mem::take(beams));
-    let pieces = |from: f64, to: f64, lost: &[(f64, f64)], keep: &mut dyn FnMut(f64, f64)| {
-        let mut begin = from;
-        for &(first, last) in lost {
-            keep(begin, first);
-            begin = larger(begin, last);
-        }
-        keep(begin, to);
-    };
-    let overlaps = |strip: &Strip, beam: &Beam| strip.begin < beam.end && beam.begin < strip.end;
-    for strip in &all {
-        let first = windows.partition_point(|beam| beam.end <= strip.begin);
-        let beside = windows[first..].iter().take_while(|beam| overlaps(strip, beam));
-        let lost: Vec<_> = beside.filter_map(|beam| Lead::new(strip, beam).of_beam()).collect();
-        pieces(strip.begin, strip.end, &lost, &mut |begin, end| push(strips, strip.part(begin, end)));
-    }
-    for beam in &windows {
-        let first = all.partition_point(|strip| strip.end <= beam.begin);
-        let beside = all[first..].iter().take_while(|strip| overlaps(strip, beam));
-        let lost: Vec<_> = beside.flat_map(|strip| Lead::new(strip, beam).of_strip()).flatten().collect();
-        let least = if lost.is_empty() { 0.0 } else { GAP };
-        pieces(beam.begin, beam.end, &lost, &mut |begin, end| {
-            let part = beam.part(begin, end);
-            if part.exceeds(least) {
-                beams.push(part);
+/// What of strips and windows of one half-edge is farther than the others; kept for its memory.
+#[derive(Debug, Default)]
+pub(super) struct Lost {
+    /// Intervals, each with the number of the strip.
+    of_strips: Vec<(usize, f64, f64)>,
+    /// The same of windows.
+    of_beams: Vec<(usize, f64, f64)>,
+    strips: Vec<Strip>,
+    beams: Vec<Beam>,
+}
+
+impl Lost {
+    /// Leaves of the strips and the windows of one half-edge, each in order along it, what is not farther than the other.
+    pub fn settle(&mut self, strips: &mut Vec<Strip>, beams: &mut Vec<Beam>) {
+        self.of_strips.clear();
+        self.of_beams.clear();
+        let mut first = 0;
+        for (number, strip) in strips.iter().enumerate() {
+            first += beams[first..].iter().take_while(|beam| beam.end <= strip.begin).count();
+            for (beside, beam) in beams.iter().enumerate().skip(first).take_while(|(_, beam)| beam.begin < strip.end) {
+                if beam.end > strip.begin {
+                    let lead = Lead::new(strip, beam);
+                    self.of_strips.extend(lead.above(lead.rounding).map(|(from, to)| (number, from, to)));
+                    let [start, end] = [lead.begin.0, lead.end.0];
+                    let (from, to) = lead.above(-lead.rounding).unwrap_or((end, end));
+                    let parts = [(beside, start, from), (beside, to, end)];
+                    self.of_beams.extend(parts.into_iter().filter(|part| part.1 < part.2));
+                }
             }
-        });
+        }
+        if !self.of_strips.is_empty() {
+            self.strips.clear();
+            for_each_left(
+                strips.iter().map(|strip| (strip.begin, strip.end)),
+                &self.of_strips,
+                |number, begin, end, _| {
+                    push(&mut self.strips, strips[number].part(begin, end));
+                },
+            );
+            std::mem::swap(strips, &mut self.strips);
+        }
+        if !self.of_beams.is_empty() {
+            // Windows may overlap by slivers.
+            self.of_beams.sort_by_key(|lost| lost.0);
+            self.beams.clear();
+            for_each_left(
+                beams.iter().map(|beam| (beam.begin, beam.end)),
+                &self.of_beams,
+                |number, begin, end, is_whole| {
+                    let part = beams[number].part(begin, end);
+                    if is_whole || part.exceeds(GAP) {
+                        self.beams.push(part);
+                    }
+                },
+            );
+            std::mem::swap(beams, &mut self.beams);
+        }
+    }
+}
+
+/// Tells what is left of intervals without others, which are in order by their numbers and along these, and whether it is a whole one.
+fn for_each_left(
+    intervals: impl Iterator<Item = (f64, f64)>,
+    lost: &[(usize, f64, f64)],
+    mut tell: impl FnMut(usize, f64, f64, bool),
+) {
+    let mut lost = lost.iter().peekable();
+    for (number, (begin, end)) in intervals.enumerate() {
+        let mut from = begin;
+        let mut is_whole = true;
+        while let Some(&(_, first, last)) = lost.next_if(|lost| lost.0 == number) {
+            is_whole = false;
+            if first > from {
+                tell(number, from, first, is_whole);
+            }
+            from = larger(from, last);
+        }
+        if end > from {
+            tell(number, from, end, is_whole);
+        }
     }
 }
 
@@ -198,45 +251,54 @@ pub(super) fn settle(strips: &mut Vec<Strip>, beams: &mut Vec<Beam>) {
 struct Lead<'a> {
     strip: &'a Strip,
     beam: &'a Beam,
-    begin: f64,
-    end: f64,
+    /// Where both begin and end, with the lead there.
+    begin: (f64, f64),
+    end: (f64, f64),
     /// What is no more than rounding.
     rounding: f64,
 }
 
 impl<'a> Lead<'a> {
     fn new(strip: &'a Strip, beam: &'a Beam) -> Self {
-        let (begin, end) = (larger(strip.begin, beam.begin), smaller(strip.end, beam.end));
-        let rounding = 4.0 * f64::EPSILON * larger(beam.at(begin), beam.at(end)).abs();
+        let places = [larger(strip.begin, beam.begin), smaller(strip.end, beam.end)];
+        let distances = places.map(|place| beam.at(place));
+        let [begin, end] = [0, 1].map(|k| (places[k], strip.at(places[k]) - distances[k]));
+        let rounding = 4.0 * f64::EPSILON * larger(distances[0], distances[1]).abs();
         Self { strip, beam, begin, end, rounding }
-    }
-
-    fn at(&self, x: f64) -> f64 {
-        self.strip.at(x) - self.beam.at(x)
-    }
-
-    /// Where the window is nearer, if anywhere.
-    fn of_beam(&self) -> Option<(f64, f64)> {
-        self.above(self.rounding)
-    }
-
-    /// Where the strip is nearer.
-    fn of_strip(&self) -> [Option<(f64, f64)>; 2] {
-        let before_and_after = |(from, to): (f64, f64)| [(self.begin, from), (to, self.end)];
-        let lost = self.above(-self.rounding).map_or([(self.begin, self.end), (self.end, self.end)], before_and_after);
-        lost.map(|(from, to)| (from < to).then_some((from, to)))
     }
 
     /// Where it is above a level.
     fn above(&self, level: f64) -> Option<(f64, f64)> {
-        let lead = |x: f64| self.at(x) - level;
         let Self { strip, beam, begin, end, .. } = self;
-        let ends = [(*begin, lead(*begin)), (*end, lead(*end))];
-        let highest = beam.x + beam.depth * strip.along / strip.up;
-        let highest = smaller(larger(highest, *begin), *end);
-        let top = [(highest, lead(highest)), ends[0], ends[1]];
-        let top = top.into_iter().find(|top| top.1 > 0.0)?;
-        let bound = |end: (f64, f64)| if end.1 > 0.0 { end.0 } else { zero(lead, end, top, 0.5 * self.rounding) };
-        Some((bound(ends[0]), bound(ends[1])))
+        let lead = |x: f64| strip.at(x) - beam.at(x) - level;
+        let ends = [(begin.0, begin.1 - level), (end.0, end.1 - level)];
+        if ends[0].1 > 0.0 && ends[1].1 > 0.0 {
+            return Some((begin.0, end.0));
+        }
+        let inside = || {
+            let highest = beam.x + beam.depth * strip.along / strip.up;
+            (highest > begin.0 && highest < end.0).then(|| (highest, lead(highest)))
+        };
+        let top = ends.into_iter().chain(inside()).find(|top| top.1 > 0.0)?;
+        let [first, last] = self.meetings(level);
+        let bound = |end: (f64, f64), meeting: f64| match lead(meeting).abs() <= self.rounding {
+            _ if end.1 > 0.0 => end.0,
+            true => smaller(larger(meeting, begin.0), self.end.0),
+            false => zero(lead, end, top, 0.5 * self.rounding),
+        };
+        Some((bound(ends[0], first), bound(ends[1], last)))
+    }
+
+    /// Where it is at a level, if anywhere: the zeros of a quadratic polynomial.
+    fn meetings(&self, level: f64) -> [f64; 2] {
+        let Self { strip, beam, begin, .. } = self;
+        // From where both begin.
+        let (x, ahead) = (beam.x - begin.0, strip.at(begin.0) - beam.offset - level);
+        let half = x + strip.along * ahead;
+        let constant = x * x + beam.depth * beam.depth - ahead * ahead;
+        let square = strip.up * strip.up;
+        let root = half + larger(half * half - square * constant, 0.0).sqrt().copysign(half);
+        let [one, other] = [root / square, constant / root];
+        [begin.0 + smaller(one, other), begin.0 + larger(one, other)]
     }
 }

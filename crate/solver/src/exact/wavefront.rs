@@ -209,7 +209,7 @@ impl Wavefront {
                 match item.checked_sub(halfedges) {
                     None => {
                         if self.lines.is_some() {
-                            self.cross_strips(item);
+                            self.cross_strips(&geometry, item);
                         }
                         self.cross(&geometry, item);
                     }
@@ -426,9 +426,9 @@ impl Wavefront {
 
     /// Lets what lines send to a half-edge enter its face.
     #[cold]
-    fn cross_strips(&mut self, halfedge: u32) {
+    fn cross_strips(&mut self, geometry: &ExactGeometry, halfedge: u32) {
         if let Some(mut lines) = self.lines.take() {
-            lines.cross(self, halfedge);
+            lines.cross(self, geometry, halfedge);
             self.lines = Some(lines);
         }
     }
@@ -512,7 +512,12 @@ impl Wavefront {
     }
 
     /// Offers the targets and the ends of portals in a half-edge's face what they are `seen` by there, as it is laid out by the half-edge.
-    pub(super) fn see_points(&mut self, frame: &Frame, halfedge: u32, seen: impl Fn([f64; 2]) -> Option<(f64, Origin)>) {
+    pub(super) fn see_points(
+        &mut self,
+        frame: &Frame,
+        halfedge: u32,
+        seen: impl Fn([f64; 2]) -> Option<(f64, Origin)>,
+    ) {
         let (queue, first) = (&mut self.queue, (self.waiting.len() + self.values.len()) as u32);
         self.targets.see_by(frame, halfedge, &seen, |_, _| ());
         self.ends.see_by(frame, halfedge, &seen, |end, value| queue.push(first + end, value));
