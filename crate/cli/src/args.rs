@@ -10,6 +10,7 @@ use clap::{ArgGroup, Args, Parser, Subcommand};
 use glam::DVec3;
 use heatwalk::{BridgeRule, Choice, DistanceOptions, Method, MultiSource, Parameters, UnitRule, Up, WeldRule};
 
+use crate::curve::Curves;
 use crate::ground::Ground;
 use crate::method::{MethodOptions, Methods};
 use crate::options::{Linear, Options, choice, chosen};
@@ -122,19 +123,22 @@ pub struct Solving {
     pub linear: Linear,
 }
 
-/// From where distances are asked for, on what ground, and how they are found.
+/// From where distances are asked for, on what ground, and how they are found. The group `open` is what can be closed.
 #[derive(Args)]
+#[command(group = ArgGroup::new("open").multiple(true))]
 pub struct Question {
     #[command(flatten)]
     pub mesh: Mesh,
     /// Source: a vertex V or a place F:b0,b1,b2 in a triangle or T:b0,b1,b2,b3 in a tetrahedron, with @D if it starts from a distance D; may be repeated
-    #[arg(long = "source", value_name = "S", required_unless_present = "lines")]
+    #[arg(long = "source", value_name = "S", required_unless_present = "open")]
     pub sources: Vec<SourcePlace>,
     /// Sources: all vertices along the shortest path on edges through these ones, V,V[,V...]; may be repeated
-    #[arg(long = "line", value_name = "V,V...")]
+    #[arg(long = "line", value_name = "V,V...", group = "open")]
     pub lines: Vec<Line>,
-    /// Close each line
-    #[arg(long, requires = "lines")]
+    #[command(flatten)]
+    pub curves: Curves,
+    /// Close each line or curve
+    #[arg(long, requires = "open")]
     pub closed: bool,
     #[command(flatten)]
     pub solving: Solving,
@@ -154,13 +158,13 @@ pub struct Distance {
     #[command(flatten)]
     pub question: Question,
     /// Distances from each source by itself, a column of the output each
-    #[arg(long, conflicts_with_all = ["lines", "repeat", "compare"])]
+    #[arg(long, conflicts_with_all = ["open", "repeat", "compare"])]
     pub each: bool,
     /// Tell the error against exact distances
-    #[arg(long, conflicts_with = "exact")]
+    #[arg(long, conflicts_with_all = ["exact", "curves", "curve_files"])]
     pub compare: bool,
     /// Time the median solve over so many single sources
-    #[arg(long, value_name = "K", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, value_name = "K", default_value_t = 1, conflicts_with_all = ["curves", "curve_files"], value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub repeat: u32,
     /// Write the distances to a .csv, .ply or .glb file; of tetrahedra to a .csv, .vtu or .msh file
     #[arg(long, value_name = "FILE", group = "turned")]
@@ -420,7 +424,9 @@ impl Question {
         let search = self.max_distance.map(|_| "--max-distance");
         let given = MethodOptions { heat: self.heat_option(), exact: self.exact, search };
         let options = self.solving.distance_options(&given, self.multi.unwrap_or_default())?;
-        Ok(DistanceOptions { max_distance: self.max_distance.unwrap_or(f64::INFINITY), ..options })
+        let options = DistanceOptions { max_distance: self.max_distance.unwrap_or(f64::INFINITY), ..options };
+        self.curves.check(&options)?;
+        Ok(options)
     }
 
     /// The first option of the heat method that is given.

@@ -4,12 +4,12 @@ use std::time::Instant;
 
 use anyhow::Result;
 use heatwalk::{
-    Answer, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, RelativeError, Source, Surface, VertexData,
+    Answer, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, RelativeError, Soup, Source, Surface, VertexData,
     VertexId, Windows, go_on, propagation::ALL,
 };
 use serde_json::{Value, json};
 
-use crate::args::Distance;
+use crate::args::{Distance, Question};
 use crate::output::{Columns, Output};
 use crate::question::{Posed, pose};
 use crate::report::{Report, milliseconds, object};
@@ -28,7 +28,13 @@ pub fn distance(arguments: &Distance) -> Result<String> {
         report.push_stages(&prepared.stages_ms);
     }
     let asked = Asked { solver: &mut prepared.solver, sources: &sources, arguments, options: &options };
-    let (columns, solve_ms) = if arguments.each { asked.each(&mut report)? } else { asked.together(&mut report)? };
+    let (columns, solve_ms) = if question.curves.are_given() {
+        asked.from_curves(&input.model.soup, &mut report)?
+    } else if arguments.each {
+        asked.each(&mut report)?
+    } else {
+        asked.together(&mut report)?
+    };
     if let Some(output) = output {
         output.write(&input.model, arguments.axis.up, &columns)?;
     }
@@ -72,6 +78,15 @@ impl Asked<'_> {
             report.push_error(error(&answer.distance.values, &exact.distance.values));
         }
         Ok((vec![("distance".to_owned(), values)], solve_ms))
+    }
+
+    /// From all curves at once, and the milliseconds that it took.
+    fn from_curves(self, soup: &Soup, report: &mut Report) -> Result<(Columns, f64)> {
+        let Question { curves, closed, .. } = &self.arguments.question;
+        let found = curves.distances(soup, self.solver, *closed)?;
+        let values = self.solver.surface().to_inputs(&found.values, f64::INFINITY);
+        report.extend(found.facts(&values, curves.signed));
+        Ok((vec![("distance".to_owned(), values)], found.solve_ms))
     }
 
     /// From each source by itself. Milliseconds of them all.

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Result, bail};
 use glam::DVec3;
 use heatwalk::exact::PlaceDistances;
-use heatwalk::{Error, FaceId, Place, Unit, go_on};
+use heatwalk::{Answer, Error, FaceId, Place, Surface, Unit, VertexData, go_on};
 use heatwalk_curves::{Field, Isolines, Levels, Places, Refined, Sheet, Strips, TRUE_TO, write};
 use serde_json::json;
 
@@ -15,6 +15,9 @@ use crate::output::{CurveFormat, Output, SheetFormat};
 use crate::question::{Posed, pose};
 use crate::report::milliseconds;
 use crate::volume;
+
+/// Distance changes by no more than length; rounding adds less than this share.
+const JUMP: f64 = 1e-6;
 
 /// For isolines that follow the distance itself.
 const MOST_TIME: Duration = Duration::from_secs(2);
@@ -28,21 +31,35 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     let output = arguments.output.as_deref();
     let output = output.map(|path| Output::curves(path, arguments.strips, arguments.unroll)).transpose()?;
     let Posed { input, sources, mut prepared, mut report } = pose(question, arguments.axis.up, &options)?;
-    let start = Instant::now();
-    let answer = prepared.solver.distance(&sources, &options, &mut go_on)?;
-    let solve_ms = milliseconds(start);
+    let (asked, facts_told, solve_ms) = if question.curves.are_given() {
+        let found = question.curves.distances(&input.model.soup, &mut prepared.solver, question.closed)?;
+        let values = prepared.solver.surface().to_inputs(&found.values, f64::INFINITY);
+        let told = found.facts(&values, question.curves.signed);
+        (Asked::Curves(found.values), told, found.solve_ms)
+    } else {
+        let start = Instant::now();
+        let answer = prepared.solver.distance(&sources, &options, &mut go_on)?;
+        let solve_ms = milliseconds(start);
+        let told = facts(&answer, &prepared.solver.of_inputs(&answer), &options);
+        (Asked::Sources(answer), told, solve_ms)
+    };
 
     let start = Instant::now();
     let surface = prepared.solver.surface();
     let positions = surface.positions().iter().map(|&position| arguments.axis.up.turned(position)).collect();
-    let triangles = surface.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
-    let field = Field::new(positions, triangles, answer.distance.values.iter().copied().collect())?;
+    let triangles = surface.faces().ids().filter(|&face| asked.is_continuous_on(surface, face));
+    let triangles = triangles.map(|face| surface.faces()[face].map(|vertex| vertex.0)).collect();
+    let field = Field::new(positions, triangles, asked.values().iter().copied().collect())?;
     let levels = match (arguments.spacing, arguments.count) {
         (Some(spacing), _) => Levels::spaced(spacing, field.largest())?,
         (_, Some(count)) => Levels::counted(count, field.largest())?,
         (None, None) => Levels::at(&arguments.values)?,
     };
-    let Refined { field, is_true } = match prepared.solver.place_distances(&answer) {
+    let places = match &asked {
+        Asked::Sources(answer) => prepared.solver.place_distances(answer),
+        Asked::Curves(_) => Ok(None),
+    };
+    let Refined { field, is_true } = match places {
         Ok(Some(distances)) => field.refined(&levels, |places| distances_at(&distances, places, start))?,
         Ok(None) | Err(Error::NotExact) => Refined { field, is_true: false },
         Err(error) => return Err(error.into()),
@@ -57,8 +74,7 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
         }
     }
 
-    let values = prepared.solver.of_inputs(&answer);
-    report.extend(facts(&answer, &values, &options));
+    report.extend(facts_told);
     let exact = format!("exact to about {TRUE_TO} of the length");
     report.push("curves", if is_true { exact } else { "chords of triangles".to_owned() });
     if !question.mesh.json {
@@ -85,6 +101,32 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     );
     let table = if question.mesh.json { String::new() } else { in_lines(&isolines) };
     Ok(report.render(question.mesh.json) + &table)
+}
+
+/// What isolines are of.
+enum Asked {
+    Sources(Answer),
+    /// `#V`.
+    Curves(VertexData<f64>),
+}
+
+impl Asked {
+    fn values(&self) -> &VertexData<f64> {
+        match self {
+            Self::Sources(answer) => &answer.distance.values,
+            Self::Curves(values) => values,
+        }
+    }
+
+    /// Whether distance does not jump from positive to negative on a face, as it does beyond the ends of curves with a sign.
+    fn is_continuous_on(&self, surface: &Surface, face: FaceId) -> bool {
+        let Self::Curves(values) = self else { return true };
+        let (corners, vertices) = (surface.corners(face), surface.faces()[face]);
+        [(0, 1), (1, 2), (2, 0)].into_iter().all(|(a, b)| {
+            let change = (values[vertices[a]] - values[vertices[b]]).abs();
+            !(change > corners[a].distance(corners[b]) * (1.0 + JUMP))
+        })
+    }
 }
 
 /// The distances at places, unless there is no more time.

@@ -5,6 +5,7 @@ mod args;
 mod cells;
 mod commands;
 mod complaint;
+mod curve;
 mod distance;
 mod file;
 mod fill;

@@ -51,6 +51,8 @@ fn options(arguments: &Distance) -> Result<VolumeOptions> {
     let question = &arguments.question;
     refuse(&[
         ("--exact", question.exact),
+        ("--curve", question.curves.are_given()),
+        ("--signed", question.curves.signed),
         ("--repeat", arguments.repeat > 1),
         ("--up", arguments.axis.up != Up::default()),
     ])?;

@@ -1,0 +1,161 @@
+//! Curves that distances are from, as they are written on the command line and in files.
+
+use std::fs;
+use std::path::PathBuf;
+use std::str::FromStr;
+use std::time::Instant;
+
+use anyhow::{Context, Result, bail, ensure};
+use clap::Args;
+use heatwalk::{
+    Choice, Curve, DistanceOptions, DistanceSolver, Method, Soup, Surface, SurfacePoint, VertexData, curve_distance, go_on,
+    signed_curve_distance,
+};
+use serde_json::Value;
+
+use crate::place::Place;
+use crate::report::milliseconds;
+
+/// What stands for all boundaries of a surface.
+const BOUNDARY: &str = "boundary";
+
+/// Curves as sources.
+#[derive(Args)]
+pub struct Curves {
+    /// Source: a curve along shortest paths from place to place, each as for --source, apart by blanks; or boundary, which is all boundaries.
+    /// Distances are from all of its points. May be repeated
+    #[arg(long = "curve", value_name = "P P...|boundary", conflicts_with_all = ["sources", "lines"], group = "open")]
+    pub curves: Vec<Course>,
+    /// Sources: the curves of a text file, one a line; one that ends where it begins is closed. May be repeated
+    #[arg(long = "curve-file", value_name = "FILE", conflicts_with_all = ["sources", "lines"], group = "open")]
+    pub curve_files: Vec<PathBuf>,
+    /// Give distances on the left of curves a minus, so that what is inside of a curve that runs counterclockwise, seen from outside, has
+    /// negative ones
+    #[arg(long)]
+    pub signed: bool,
+}
+
+/// Where a curve leads.
+#[derive(Debug, Clone)]
+pub enum Course {
+    Boundary,
+    Through { places: Vec<Place>, is_closed: bool },
+}
+
+impl FromStr for Course {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text.trim() == BOUNDARY {
+            return Ok(Self::Boundary);
+        }
+        let mut places: Vec<&str> = text.split_whitespace().collect();
+        let is_closed = places.len() > 2 && places.first() == places.last();
+        if is_closed {
+            places.pop();
+        }
+        let places: Result<Vec<Place>, String> = places.into_iter().map(str::parse).collect();
+        let places = places.ok().filter(|places| !places.is_empty());
+        let places = places.ok_or_else(|| {
+            "give places apart by blanks, such as \"12 5:0.2,0.3,0.5 40\", or boundary for all boundaries".to_owned()
+        })?;
+        Ok(Self::Through { places, is_closed })
+    }
+}
+
+impl Course {
+    /// On a surface; where it is to be `closed`, back to its begin.
+    fn on(&self, soup: &Soup, solver: &mut DistanceSolver, closed: bool) -> Result<Curve> {
+        match self {
+            Self::Boundary => {
+                let boundary = Curve::boundary(solver.surface());
+                boundary.context("the surface has no boundary; give places for the curve")
+            }
+            Self::Through { places, is_closed } => {
+                places.iter().try_for_each(|place| place.check(soup))?;
+                let surface: &Surface = solver.surface();
+                let points = places.iter().map(|place| place.on(soup, surface));
+                let points: Vec<SurfacePoint> = points.collect::<Result<_>>()?;
+                Ok(Curve::through(solver.exact_geometry(), &points, closed || *is_closed, &mut go_on)?)
+            }
+        }
+    }
+}
+
+/// Distances from curves.
+pub struct Found {
+    /// `#V` of the surface.
+    pub values: VertexData<f64>,
+    /// Milliseconds that they took without the curves.
+    pub solve_ms: f64,
+    length: f64,
+    count: usize,
+}
+
+impl Curves {
+    /// Whether there is any.
+    pub fn are_given(&self) -> bool {
+        !self.curves.is_empty() || !self.curve_files.is_empty()
+    }
+
+    /// Fails where an option has no effect.
+    pub fn check(&self, options: &DistanceOptions) -> Result<()> {
+        ensure!(self.are_given() || !self.signed, "--signed is for distances from curves; give a --curve");
+        if self.are_given() {
+            let is_exact = matches!(options.method, Method::Auto | Method::Exact);
+            ensure!(is_exact, "distances from curves are exact; leave the method {} to --source or --line", options.method.name());
+            ensure!(options.max_distance == f64::INFINITY, "--max-distance has no effect with --curve");
+        }
+        Ok(())
+    }
+
+    /// Distances from all of them.
+    pub fn distances(&self, soup: &Soup, solver: &mut DistanceSolver, closed: bool) -> Result<Found> {
+        let mut curves = Vec::new();
+        for (number, course) in self.curves.iter().enumerate() {
+            curves.push(course.on(soup, solver, closed).with_context(|| format!("curve {number}"))?);
+        }
+        for file in &self.curve_files {
+            let text = fs::read_to_string(file).with_context(|| format!("{}", file.display()))?;
+            let lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
+            let before = curves.len();
+            for (index, line) in lines {
+                let course = line.parse::<Course>().map_err(anyhow::Error::msg);
+                let curve = course.and_then(|course| course.on(soup, solver, closed));
+                curves.push(curve.with_context(|| format!("{}, line {}", file.display(), index + 1))?);
+            }
+            if curves.len() == before {
+                bail!("{}: there is no curve; write the places of each on a line", file.display());
+            }
+        }
+        let geometry = solver.exact_geometry();
+        let start = Instant::now();
+        let values = if self.signed {
+            signed_curve_distance(geometry, &curves, &mut go_on)?
+        } else {
+            curve_distance(geometry, &curves, &mut go_on)?
+        };
+        let solve_ms = milliseconds(start);
+        let lengths = curves.iter().map(|curve| curve.length(geometry.surface()));
+        let length = lengths.sum::<heatwalk::Result<f64>>()?;
+        Ok(Found { values, solve_ms, length, count: curves.len() })
+    }
+}
+
+impl Found {
+    /// What is to be told, of the values `of_inputs`.
+    pub fn facts(&self, of_inputs: &[f64], signed: bool) -> Vec<(&'static str, Value)> {
+        let finite = || of_inputs.iter().copied().filter(|value| value.is_finite());
+        let mut facts = vec![
+            ("method", Method::Exact.name().into()),
+            ("curves_given", self.count.into()),
+            ("curve_length", self.length.into()),
+            ("max_distance", finite().fold(f64::NEG_INFINITY, f64::max).into()),
+        ];
+        if signed {
+            facts.push(("min_distance", finite().fold(f64::INFINITY, f64::min).into()));
+        }
+        facts.push(("unreachable", of_inputs.iter().filter(|value| value.is_infinite()).count().into()));
+        facts
+    }
+}
