@@ -8,11 +8,12 @@ use std::time::Instant;
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use heatwalk::{
-    Choice, Curve, DistanceOptions, DistanceSolver, Method, Soup, Surface, SurfacePoint, VertexData, curve_distance, go_on,
-    signed_curve_distance,
+    Choice, Curve, DistanceOptions, DistanceSolver, Method, Sign, SignedDistance, Soup, Surface, SurfacePoint,
+    VertexData, curve_distance, go_on, signed_curve_distance,
 };
 use serde_json::Value;
 
+use crate::options::{choice, chosen};
 use crate::place::Place;
 use crate::report::milliseconds;
 
@@ -33,6 +34,8 @@ pub struct Curves {
     /// negative ones
     #[arg(long)]
     pub signed: bool,
+    #[arg(long, requires = "signed", default_value_t, value_parser = choice::<Sign>(), help = chosen::<Sign>("What tells the sign"))]
+    pub sign: Sign,
 }
 
 /// Where a curve leads.
@@ -86,6 +89,8 @@ impl Course {
 pub struct Found {
     /// `#V` of the surface.
     pub values: VertexData<f64>,
+    /// How their sign was found, if they have one.
+    sign: Option<Sign>,
     /// Milliseconds that they took without the curves.
     pub solve_ms: f64,
     length: f64,
@@ -103,7 +108,11 @@ impl Curves {
         ensure!(self.are_given() || !self.signed, "--signed is for distances from curves; give a --curve");
         if self.are_given() {
             let is_exact = matches!(options.method, Method::Auto | Method::Exact);
-            ensure!(is_exact, "distances from curves are exact; leave the method {} to --source or --line", options.method.name());
+            ensure!(
+                is_exact,
+                "distances from curves are exact; leave the method {} to --source or --line",
+                options.method.name()
+            );
             ensure!(options.max_distance == f64::INFINITY, "--max-distance has no effect with --curve");
         }
         Ok(())
@@ -130,21 +139,22 @@ impl Curves {
         }
         let geometry = solver.exact_geometry();
         let start = Instant::now();
-        let values = if self.signed {
-            signed_curve_distance(geometry, &curves, &mut go_on)?
+        let (values, sign) = if self.signed {
+            let SignedDistance { values, sign } = signed_curve_distance(geometry, &curves, self.sign, &mut go_on)?;
+            (values, Some(sign))
         } else {
-            curve_distance(geometry, &curves, &mut go_on)?
+            (curve_distance(geometry, &curves, &mut go_on)?, None)
         };
         let solve_ms = milliseconds(start);
         let lengths = curves.iter().map(|curve| curve.length(geometry.surface()));
         let length = lengths.sum::<heatwalk::Result<f64>>()?;
-        Ok(Found { values, solve_ms, length, count: curves.len() })
+        Ok(Found { values, sign, solve_ms, length, count: curves.len() })
     }
 }
 
 impl Found {
     /// What is to be told, of the values `of_inputs`.
-    pub fn facts(&self, of_inputs: &[f64], signed: bool) -> Vec<(&'static str, Value)> {
+    pub fn facts(&self, of_inputs: &[f64]) -> Vec<(&'static str, Value)> {
         let finite = || of_inputs.iter().copied().filter(|value| value.is_finite());
         let mut facts = vec![
             ("method", Method::Exact.name().into()),
@@ -152,8 +162,9 @@ impl Found {
             ("curve_length", self.length.into()),
             ("max_distance", finite().fold(f64::NEG_INFINITY, f64::max).into()),
         ];
-        if signed {
+        if let Some(sign) = self.sign {
             facts.push(("min_distance", finite().fold(f64::INFINITY, f64::min).into()));
+            facts.push(("sign", sign.name().into()));
         }
         facts.push(("unreachable", of_inputs.iter().filter(|value| value.is_infinite()).count().into()));
         facts

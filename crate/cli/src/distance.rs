@@ -4,8 +4,8 @@ use std::time::Instant;
 
 use anyhow::Result;
 use heatwalk::{
-    Answer, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, RelativeError, Soup, Source, Surface, VertexData,
-    VertexId, Windows, go_on, propagation::ALL,
+    Answer, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, RelativeError, Soup, Source, Surface,
+    VertexData, VertexId, Windows, go_on, propagation::ALL,
 };
 use serde_json::{Value, json};
 
@@ -85,7 +85,7 @@ impl Asked<'_> {
         let Question { curves, closed, .. } = &self.arguments.question;
         let found = curves.distances(soup, self.solver, *closed)?;
         let values = self.solver.surface().to_inputs(&found.values, f64::INFINITY);
-        report.extend(found.facts(&values, curves.signed));
+        report.extend(found.facts(&values));
         Ok((vec![("distance".to_owned(), values)], found.solve_ms))
     }
 

@@ -34,7 +34,7 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     let (asked, facts_told, solve_ms) = if question.curves.are_given() {
         let found = question.curves.distances(&input.model.soup, &mut prepared.solver, question.closed)?;
         let values = prepared.solver.surface().to_inputs(&found.values, f64::INFINITY);
-        let told = found.facts(&values, question.curves.signed);
+        let told = found.facts(&values);
         (Asked::Curves(found.values), told, found.solve_ms)
     } else {
         let start = Instant::now();

@@ -29,6 +29,8 @@
 //!   distances, and where a [`Boundary`] condition is wanted.
 //! - [`Method::Exact`] and [`Method::Propagation`] where the one or the other is wanted whatever it takes.
 //!
+//! From [`Curve`]s distance is always exact: [`curve_distance`], and with a sign [`signed_curve_distance`].
+//!
 //! Where the ground is not the same everywhere, [`DistanceSolver::set_costs`] takes [`Costs`] of faces, and
 //! [`DistanceSolver::set_walls`] puts up [`Walls`]. [`DistanceSolver::path`] and [`DistanceSolver::refine`] ask more of an [`Answer`].
 //!
@@ -43,8 +45,8 @@
 //! [`HeatFlow`](heat::HeatFlow) and [`Poisson`](heat::Poisson) take any right side and any constraints, and
 //! [`Operators`](operator::Operators) have gradient and divergence of any field, so that related methods are compositions;
 //! `tests/composition.rs` has one of each. *Transport* of vectors by heat between the tangent planes of [`Frames`](operator::Frames) is a
-//! step of diffusion by the [`ConnectionLaplacian`](operator::ConnectionLaplacian), a complex matrix of the same pattern. *Signed
-//! distance* lets the normals of a curve flow so, then solves Poisson for their directions. An *anisotropic* metric is its edge lengths
+//! step of diffusion by the [`ConnectionLaplacian`](operator::ConnectionLaplacian), a complex matrix of the same pattern, as
+//! [`VectorHeat`](heat::VectorHeat) lets the normals of curves flow. An *anisotropic* metric is its edge lengths
 //! ([`Operators::from_lengths`](operator::Operators::from_lengths)); exact distances and paths still measure positions, so
 //! such a distance has no exact region. Systems, flow and Poisson see matrices only: any
 //! [`Discretization`](operator::Discretization) will do. The whole method, [`HeatMethod`](heat::HeatMethod), takes any
@@ -84,7 +86,7 @@ pub use accuracy::RelativeError;
 pub use cells::{Cells, cells};
 pub use choice::{Choice, UnknownChoice};
 pub use cost::{Costs, tobler};
-pub use curve::{Curve, Line, curve_distance, curve_search, signed_curve_distance};
+pub use curve::{Curve, Line, SignedDistance, curve_distance, curve_search, signed_curve_distance};
 pub use dijkstra::{edge_path, edge_polyline};
 pub use directions::{LogMap, log_map, transport};
 pub use distance::{Distance, PortalCrossing};
@@ -99,7 +101,7 @@ pub use heatwalk_surface::{
 };
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,
-    Method, MultiSource, Operator, Parameters, PathKind, TRIANGLE_BYTES, TimeStep, Up, VertexField, WINDOWS,
+    Method, MultiSource, Operator, Parameters, PathKind, Sign, TRIANGLE_BYTES, TimeStep, Up, VertexField, WINDOWS,
 };
 pub use path::{Enclosed, PathSearch, Straightest, descend, enclosed, refract, straighten, straightest};
 pub use propagation::{Carriers, ExactSearch, Propagation, PropagationOptions, Windows};

@@ -56,6 +56,21 @@ pub enum Method {
 
 choice!(Method, "method": Auto = "auto", Propagation = "propagation", Heat = "heat", Exact = "exact");
 
+/// What tells on which side of curves a vertex is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Sign {
+    /// The nearest point where curves are closed and do not meet, else heat.
+    #[default]
+    Auto,
+    /// The side from which the nearest point of the curves is seen. Exact for closed curves; beyond the ends of open ones it changes on
+    /// their straight continuation.
+    Nearest,
+    /// Diffused normals of the curves, which close gaps (Feng & Crane 2024).
+    Heat,
+}
+
+choice!(Sign, "sign": Auto = "auto", Nearest = "nearest", Heat = "heat");
+
 /// Numbers of windows of each half-edge that are worth offering. Propagation takes any.
 pub const WINDOWS: [u16; 4] = [1, 2, 4, 8];
 

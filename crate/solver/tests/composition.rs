@@ -1,5 +1,5 @@
 //! Operators, frames, heat flow and Poisson put together anew: signed distance, transport of vectors, weighted and anisotropic
-//! metrics, which the crate itself does not offer.
+//! metrics, beside what the crate itself offers.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;

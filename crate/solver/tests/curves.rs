@@ -10,8 +10,8 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3, dvec2};
 use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance};
 use heatwalk::{
-    Costs, Curve, Element, Error, FaceId, Line, Place, Soup, Source, Surface, VertexData, VertexId, curve_distance,
-    curve_search, go_on, signed_curve_distance,
+    Costs, Curve, Element, Error, FaceId, Line, Place, Sign, Soup, Source, Surface, VertexData, VertexId,
+    curve_distance, curve_search, go_on, signed_curve_distance,
 };
 use heatwalk_shapes as shapes;
 
@@ -37,7 +37,7 @@ fn distance(geometry: &Arc<ExactGeometry>, curves: &[Curve]) -> VertexData<f64> 
 }
 
 fn signed(geometry: &Arc<ExactGeometry>, curves: &[Curve]) -> VertexData<f64> {
-    signed_curve_distance(geometry, curves, &mut go_on).expect("distance")
+    signed_curve_distance(geometry, curves, Sign::Nearest, &mut go_on).expect("distance").values
 }
 
 /// The unit square in so many edges across, of which vertices have moved by as large a share of an edge at most, but for those of the
@@ -242,22 +242,55 @@ fn paths_end_on_the_curve_and_are_as_long_as_the_distance() {
     }
 }
 
-#[test]
-fn a_circle_of_latitude_has_the_pole_on_its_left() {
-    let (surface, geometry) = laid_out(&shapes::icosphere(4));
-    let axis = DVec3::new(0.36, 0.48, 0.8);
-    let x = axis.any_orthonormal_vector();
-    let y = axis.cross(x);
+/// On the unit sphere, around the axis at this height over its equator.
+const AXIS: DVec3 = DVec3::new(0.36, 0.48, 0.8);
+const HEIGHT: f64 = 0.6;
+
+/// So many of forty places of a circle of latitude, counterclockwise around the axis.
+fn circle(surface: &Surface, places: u32) -> Vec<Place> {
+    let x = AXIS.any_orthonormal_vector();
+    let y = AXIS.cross(x);
     let at = |step: u32| {
         let (sin, cos) = (TAU * f64::from(step) / 40.0).sin_cos();
-        Place::Vertex(nearest(&surface, 0.6 * axis + 0.8 * (cos * x + sin * y)))
+        Place::Vertex(nearest(surface, HEIGHT * AXIS + (1.0 - HEIGHT * HEIGHT).sqrt() * (cos * x + sin * y)))
     };
-    let places: Vec<Place> = (0..40).map(at).collect();
-    let found = signed(&geometry, &[through(&geometry, &places, true)]);
-    for vertex in surface.vertices() {
-        let height = surface.position(vertex).dot(axis) - 0.6;
-        assert!(height.abs() < 0.08 || (found[vertex] < 0.0) == (height > 0.0), "{} at {height}", found[vertex]);
-    }
+    (0..places).map(at).collect()
+}
+
+/// The share of the vertices beyond a side of the triangles on which the sign is that of the circle, and how it was found.
+fn right_share(surface: &Surface, geometry: &Arc<ExactGeometry>, curves: &[Curve], sign: Sign) -> (f64, Sign) {
+    let found = signed_curve_distance(geometry, curves, sign, &mut go_on).expect("distance");
+    let height = |vertex: VertexId| surface.position(vertex).dot(AXIS) - HEIGHT;
+    let far: Vec<VertexId> = surface.vertices().filter(|&vertex| height(vertex).abs() > 0.08).collect();
+    let right = far.iter().filter(|&&vertex| (found.values[vertex] < 0.0) == (height(vertex) > 0.0)).count();
+    (right as f64 / far.len() as f64, found.sign)
+}
+
+#[test]
+fn a_circle_of_latitude_has_the_pole_on_its_left_even_if_a_fifth_is_missing() {
+    let (surface, geometry) = laid_out(&shapes::icosphere(4));
+    let whole = through(&geometry, &circle(&surface, 40), true);
+    assert_eq!(right_share(&surface, &geometry, &[whole.clone()], Sign::Auto), (1.0, Sign::Nearest));
+    assert_eq!(right_share(&surface, &geometry, &[whole], Sign::Heat), (1.0, Sign::Heat));
+    let broken = [through(&geometry, &circle(&surface, 33), false)];
+    let (heat, sign) = right_share(&surface, &geometry, &broken, Sign::Auto);
+    assert!(heat > 0.99 && sign == Sign::Heat, "{heat}");
+    let (nearest, _) = right_share(&surface, &geometry, &broken, Sign::Nearest);
+    assert!(nearest < heat, "beyond its ends the nearest point tells less: {nearest} for {heat}");
+}
+
+#[test]
+fn curves_that_cross_themselves_have_their_sign_by_heat() {
+    let (surface, geometry) = laid_out(&plane(12, 0.2));
+    let at = |points: &[(f64, f64)]| -> Vec<Place> {
+        points.iter().map(|&(x, y)| place_at(&surface, dvec2(x, y))).collect()
+    };
+    let eight = through(&geometry, &at(&[(0.2, 0.3), (0.8, 0.7), (0.8, 0.3), (0.2, 0.7)]), true);
+    let found = signed_curve_distance(&geometry, &[eight], Sign::Auto, &mut go_on).expect("distance");
+    assert_eq!(found.sign, Sign::Heat);
+    // One half runs counterclockwise, the other clockwise.
+    let of = |x: f64, y: f64| found.values[nearest(&surface, DVec3::new(x, y, 0.0))];
+    assert!(of(0.72, 0.5) > 0.0 && of(0.28, 0.5) < 0.0 || of(0.72, 0.5) < 0.0 && of(0.28, 0.5) > 0.0);
 }
 
 #[test]
@@ -292,7 +325,7 @@ fn what_is_no_curve_is_refused() {
     let curve = through(&geometry, &[Place::Vertex(VertexId(0)), Place::Vertex(VertexId(20))], false);
     let (_, pages) = laid_out(&book(3, 2));
     let spine = through(&pages, &[VertexId(0), VertexId(1), VertexId(5)].map(Place::Vertex), false);
-    let refused = signed_curve_distance(&pages, &[spine], &mut go_on).expect_err("no sides").to_string();
+    let refused = signed_curve_distance(&pages, &[spine], Sign::Nearest, &mut go_on).expect_err("no sides").to_string();
     assert!(
         refused.starts_with("a place of the curve is at vertex 0; it must be where the triangles around"),
         "{refused}"

@@ -2,6 +2,7 @@
 
 mod animations;
 mod cells;
+mod curves;
 mod directions;
 mod exact;
 mod files;

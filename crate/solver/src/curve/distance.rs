@@ -6,7 +6,7 @@ use std::sync::Arc;
 use heatwalk_sparse::{Progress, Stage, report};
 use heatwalk_surface::{Place, Source, ToPoint, VertexData};
 
-use super::sides::{Joint, sides};
+use super::sides::Joint;
 use super::{Curve, Line};
 use crate::distance::key;
 use crate::error::{Error, Result};
@@ -24,24 +24,6 @@ pub fn curve_distance(
     Ok(searched(curve_search(geometry, curves, &[] as &[Place])?, progress)?.into_values())
 }
 
-/// The same with a sign: negative where the nearest point of the curves is seen from the left of its curve, so that a curve that runs
-/// counterclockwise, as seen from outside, has its inside negative. The sign of what is nearest to the end of an open curve changes on the
-/// curve's straight continuation.
-///
-/// # Errors
-/// As [`curve_distance`]; [`Error::BadParameter`] for a curve that bends where the triangles around are not one ring or fan of one orientation.
-pub fn signed_curve_distance(
-    geometry: &Arc<ExactGeometry>,
-    curves: &[Curve],
-    progress: Progress<'_>,
-) -> Result<VertexData<f64>> {
-    let front = searched(curve_search(geometry, curves, &[] as &[Place])?, progress)?;
-    let joints = Ends::of(geometry, curves)?.joints;
-    let is_left = sides(&front, &joints)?;
-    let signed = |(&value, &is_left): (&f64, &bool)| if is_left && value.is_finite() { -value } else { value };
-    Ok(front.values().iter().zip(&is_left).map(signed).map(|value| value + 0.0).collect())
-}
-
 /// The search for distances from curves, which can be interrupted and asked for paths, with `targets` beside the vertices.
 ///
 /// # Errors
@@ -55,7 +37,7 @@ pub fn curve_search<T: ToPoint>(geometry: &Arc<ExactGeometry>, curves: &[Curve],
     Wavefront::of_segments(Arc::clone(geometry), segments, sources, &targets)
 }
 
-fn searched(mut front: Wavefront, progress: Progress<'_>) -> Result<Wavefront> {
+pub(super) fn searched(mut front: Wavefront, progress: Progress<'_>) -> Result<Wavefront> {
     while !front.advance(f64::INFINITY, WORK_BETWEEN_CALLS)? {
         report(progress, Stage::Searching { radius: front.radius() }, 0.0)?;
     }
@@ -63,16 +45,16 @@ fn searched(mut front: Wavefront, progress: Progress<'_>) -> Result<Wavefront> {
 }
 
 /// The lines of curves, and where they end.
-struct Ends {
-    segments: Vec<Segment>,
+pub(super) struct Ends {
+    pub segments: Vec<Segment>,
     /// One for each place where lines begin or end.
     sources: Vec<Source>,
     /// What lines begin and end at each of these.
-    joints: Vec<Joint>,
+    pub joints: Vec<Joint>,
 }
 
 impl Ends {
-    fn of(geometry: &ExactGeometry, curves: &[Curve]) -> Result<Self> {
+    pub fn of(geometry: &ExactGeometry, curves: &[Curve]) -> Result<Self> {
         let surface = geometry.surface();
         let mut ends = Self { segments: Vec::new(), sources: Vec::new(), joints: Vec::new() };
         let mut numbers = HashMap::new();

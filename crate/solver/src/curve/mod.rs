@@ -4,10 +4,12 @@
 
 mod distance;
 mod sides;
+mod signed;
 
 use std::sync::Arc;
 
-pub use distance::{curve_distance, curve_search, signed_curve_distance};
+pub use distance::{curve_distance, curve_search};
+pub use signed::{SignedDistance, signed_curve_distance};
 
 use heatwalk_sparse::{Progress, Stage, report};
 use heatwalk_surface::{FaceId, Place, Surface, SurfaceId, SurfacePoint, ToPoint};

@@ -16,13 +16,28 @@ pub(super) struct Joint {
     pub rays: Vec<(u32, Place, bool)>,
 }
 
-/// Whether each vertex is on the left of the curve that it is nearest to (`#V`), as the search from the curves has found; `joints` are
-/// its sources.
-pub(super) fn sides(front: &Wavefront, joints: &[Joint]) -> Result<Vec<bool>> {
+impl Joint {
+    /// Whether one line ends and one begins here.
+    pub fn is_passed_once(&self) -> bool {
+        matches!(self.rays[..], [(.., a), (.., b)] if a != b)
+    }
+}
+
+/// From where a vertex sees the nearest point of curves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Side {
+    pub is_left: bool,
+    /// Whether that point is the end of an open curve.
+    pub is_end: bool,
+}
+
+/// That of each vertex (`#V`), as the search from the curves has found; `joints` are its sources.
+pub(super) fn sides(front: &Wavefront, joints: &[Joint]) -> Result<Vec<Side>> {
+    let inside = |is_left: bool| Side { is_left, is_end: false };
     let mut legs = Legs::new(front)?;
     let mut angles: Vec<Option<Angles>> = joints.iter().map(|_| None).collect();
     let count = front.values().len() + front.end_values().len();
-    let mut known: Vec<Option<bool>> = vec![None; count];
+    let mut known: Vec<Option<Side>> = vec![None; count];
     let mut open = Vec::new();
     for stop in 0..count {
         open.push(stop);
@@ -36,26 +51,26 @@ pub(super) fn sides(front: &Wavefront, joints: &[Joint]) -> Result<Vec<bool>> {
             match start.filter(|&start| known[start].is_none()) {
                 Some(start) => open.push(start),
                 None => {
-                    let is_left = match (root, leg, start) {
-                        (_, _, Some(start)) => known[start] == Some(true),
-                        (Some(Root::Side(side)), ..) => side % SIDES == 0,
+                    let side = match (root, leg, start) {
+                        (_, _, Some(start)) => known[start],
+                        (Some(Root::Side(side)), ..) => Some(inside(side % SIDES == 0)),
                         (Some(Root::Source(joint)), Some(leg), _) => {
                             let own = match &angles[joint] {
                                 Some(own) => own,
                                 None => angles[joint].insert(Angles::of(front, &joints[joint])?),
                             };
-                            own.are_left_of(&leg.departure)
+                            Some(own.side(&leg.departure))
                         }
-                        _ => false,
+                        _ => None,
                     };
-                    known[stop] = Some(is_left);
+                    known[stop] = Some(side.unwrap_or(inside(false)));
                     open.pop();
                 }
             }
         }
     }
     known.truncate(front.values().len());
-    Ok(known.into_iter().map(|is_left| is_left == Some(true)).collect())
+    Ok(known.into_iter().map(|side| side.unwrap_or(inside(false))).collect())
 }
 
 /// The directions of lines at a joint.
@@ -84,13 +99,13 @@ impl Angles {
         Ok(Self { plane, rays })
     }
 
-    /// Whether a direction is on the left of the line that comes before it, counterclockwise.
-    fn are_left_of(&self, heading: &Heading) -> bool {
+    /// The side of what is in a direction, by the line that comes before it, counterclockwise.
+    fn side(&self, heading: &Heading) -> Side {
         let angle = self.plane.angle(heading).rem_euclid(TAU);
         if let [(ray, begins)] = self.rays[..] {
-            return ((angle - ray).rem_euclid(TAU) < PI) == begins;
+            return Side { is_left: ((angle - ray).rem_euclid(TAU) < PI) == begins, is_end: true };
         }
         let before = self.rays.iter().rev().find(|&&(ray, _)| ray <= angle).or(self.rays.last());
-        before.is_some_and(|&(_, begins)| begins)
+        Side { is_left: before.is_some_and(|&(_, begins)| begins), is_end: false }
     }
 }

@@ -28,6 +28,7 @@ mod source_heat;
 mod systems;
 mod time;
 mod triangles;
+mod vectors;
 
 pub use answer::Refinement;
 pub use bounds::Bounds;
@@ -47,3 +48,4 @@ pub use solver::HeatSolver;
 pub use source_heat::SourceHeat;
 pub use systems::Systems;
 pub use time::long_edge_factor;
+pub use vectors::VectorHeat;

@@ -1,0 +1,106 @@
+//! Distance from curves with a sign.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use heatwalk_sparse::Progress;
+use heatwalk_surface::{Element, FaceId, Place, Surface, VertexData};
+
+use super::Curve;
+use super::distance::{Ends, curve_search, searched};
+use super::sides::{Side, sides};
+use crate::error::{Error, Result};
+use crate::exact::{ExactGeometry, Segment};
+use crate::heat::VectorHeat;
+use crate::options::Sign;
+
+/// Distance from curves, and how its sign was found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SignedDistance {
+    /// `#V`, in the file's unit: as large as the exact distance, negative on the left of the curves; infinite where none is reached.
+    pub values: VertexData<f64>,
+    /// [`Sign::Nearest`] or [`Sign::Heat`].
+    pub sign: Sign,
+}
+
+/// The exact distance of each vertex from the nearest point of any of the curves, negative on the left of these, so that a curve that runs
+/// counterclockwise, as seen from outside, has its inside negative.
+///
+/// By heat, what is within a mean edge has the side from which it sees the curve, but for what sees an open end.
+///
+/// # Errors
+/// As [`curve_search`]; [`Error::Cancelled`]; with [`Sign::Nearest`] [`Error::BadParameter`] for a curve that bends where the triangles
+/// around are not one ring or fan of one orientation; with the others those of [`VectorHeat::new`].
+pub fn signed_curve_distance(
+    geometry: &Arc<ExactGeometry>,
+    curves: &[Curve],
+    sign: Sign,
+    progress: Progress<'_>,
+) -> Result<SignedDistance> {
+    let front = searched(curve_search(geometry, curves, &[] as &[Place])?, progress)?;
+    let Ends { joints, segments, .. } = Ends::of(geometry, curves)?;
+    let near = match sides(&front, &joints) {
+        Err(Error::BadParameter { .. }) if sign != Sign::Nearest => None,
+        sides => Some(sides?),
+    };
+    let is_simple = || joints.iter().all(|joint| joint.is_passed_once()) && !cross(geometry, &segments);
+    let by_nearest = near.as_ref().filter(|_| sign == Sign::Nearest || (sign == Sign::Auto && is_simple()));
+    let values = front.values();
+    let (is_left, sign): (Vec<bool>, Sign) = match by_nearest {
+        Some(near) => (near.iter().map(|side| side.is_left).collect(), Sign::Nearest),
+        None => {
+            let near = near.map_or_else(|| vec![None; values.len()], |near| near.into_iter().map(Some).collect());
+            let known = beside(geometry.surface(), &segments, values, &near);
+            let heat = VectorHeat::new(geometry.surface(), progress)?.signed_distance(curves, &known, progress)?;
+            let close = geometry.surface().mean_edge();
+            let is_left = |((&value, &heat), near): ((&f64, &f64), Option<Side>)| match near {
+                Some(side) if heat.is_nan() || (value <= close && !side.is_end) => side.is_left,
+                _ => heat < 0.0,
+            };
+            (values.iter().zip(&heat).zip(near).map(is_left).collect(), Sign::Heat)
+        }
+    };
+    let signed =
+        |(&value, is_left): (&f64, bool)| if is_left && value.is_finite() && value > 0.0 { -value } else { value };
+    Ok(SignedDistance { values: values.iter().zip(is_left).map(signed).collect(), sign })
+}
+
+/// The distances of vertices of the faces that curves lead through, but of those that see an open end.
+fn beside(
+    surface: &Surface,
+    segments: &[Segment],
+    values: &VertexData<f64>,
+    near: &[Option<Side>],
+) -> VertexData<Option<f64>> {
+    let mut known = vec![None; values.len()];
+    for vertex in segments.iter().flat_map(|segment| surface.faces()[FaceId(segment.face)]) {
+        let side = near[vertex.index()].filter(|side| !side.is_end);
+        known[vertex.index()] = side.map(|side| if side.is_left { -values[vertex] } else { values[vertex] });
+    }
+    known.into()
+}
+
+/// Whether any segments of a face cross.
+fn cross(geometry: &ExactGeometry, segments: &[Segment]) -> bool {
+    let mut of_faces: BTreeMap<u32, Vec<[[f64; 2]; 2]>> = BTreeMap::new();
+    for segment in segments {
+        let frame = geometry.frame(segment.face);
+        let mut ends = segment.ends.map(|weights| frame.place(0, weights));
+        ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        of_faces.entry(segment.face).or_default().push(ends);
+    }
+    of_faces.values_mut().any(|lines| {
+        // Along the first side of the face, so that few are compared.
+        lines.sort_by(|a, b| a[0][0].total_cmp(&b[0][0]));
+        lines.iter().enumerate().any(|(first, line)| {
+            let beside = lines[first + 1..].iter().take_while(|other| other[0][0] <= line[1][0]);
+            beside.into_iter().any(|other| divides(line, other) && divides(other, line))
+        })
+    })
+}
+
+/// Whether the ends of one line lie on different sides of another.
+fn divides([p, q]: &[[f64; 2]; 2], ends: &[[f64; 2]; 2]) -> bool {
+    let side = |[x, y]: [f64; 2]| (q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0]);
+    side(ends[0]) * side(ends[1]) < 0.0
+}

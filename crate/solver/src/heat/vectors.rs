@@ -1,0 +1,107 @@
+//! Diffusion of tangent vectors for a short time, after which they point as they did at the nearest source of them (Sharp, Soliman,
+//! Crane, "The vector heat method", 2019), and the sign of distance from curves by that of their normals (Feng & Crane, "A heat method for
+//! generalized signed distance", 2024).
+
+use std::sync::Arc;
+
+use heatwalk_sparse::{Progress, Scalar, System, c64};
+use heatwalk_surface::{Element, Surface, VertexData, VertexId};
+
+use super::systems::Systems;
+use crate::curve::{Curve, Line};
+use crate::error::Result;
+use crate::operator::intrinsic::IntrinsicTriangulation;
+use crate::operator::{ConnectionLaplacian, Frames, Operators, TangentPlane};
+use crate::options::LinearSolver;
+
+/// One step of diffusion of tangent vectors, factored.
+#[derive(Debug)]
+pub struct VectorHeat {
+    surface: Arc<Surface>,
+    frames: Frames,
+    /// `#V` of the half-edge mesh: where the surface is no manifold, a vertex has a plane for each of its fans.
+    planes: Vec<TangentPlane>,
+    systems: Arc<Systems>,
+    diffusion: System<c64>,
+}
+
+impl VectorHeat {
+    /// On the intrinsic Delaunay triangulation, for a time of the squared mean edge.
+    ///
+    /// # Errors
+    /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite) on degenerate triangles; [`OutOfMemory`](crate::Error::OutOfMemory);
+    /// [`Cancelled`](crate::Error::Cancelled).
+    pub fn new(surface: &Arc<Surface>, progress: Progress<'_>) -> Result<Self> {
+        let mut frames = Frames::new(IntrinsicTriangulation::of_surface(surface))?;
+        frames.flip_to_delaunay();
+        let operators = Operators::of_triangulation(frames.triangulation());
+        let time = operators.mean_edge().powi(2);
+        let systems = Systems::new(operators, LinearSolver::Cholesky, progress)?;
+        let matrix = ConnectionLaplacian::new(&frames, systems.operators()).heat_matrix(time);
+        let diffusion = systems.system_of(matrix, progress)?;
+        Ok(Self { surface: Arc::clone(surface), planes: frames.in_space(surface), frames, systems, diffusion })
+    }
+
+    /// Distance from curves as their normals tell it (`#V`, in the file's unit), negative on their left, whether they are closed or broken.
+    /// `known`: the distances of vertices beside them (`#V`), from which it goes on. Not a number on components where none is known.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub(crate) fn signed_distance(
+        &self,
+        curves: &[Curve],
+        known: &VertexData<Option<f64>>,
+        progress: Progress<'_>,
+    ) -> Result<VertexData<f64>> {
+        let (mesh, operators) = (self.surface.mesh(), self.systems.operators());
+        let mut normals = vec![c64::new(0.0, 0.0); self.planes.len()];
+        for &Line { face, ends } in curves.iter().flat_map(Curve::lines) {
+            let along = ends[1].position(&self.surface) - ends[0].position(&self.surface);
+            let to_right = along.cross(self.surface.face_normal(face));
+            let [start, end] = ends.map(|place| place.weights_in(&self.surface, face));
+            for k in 0..3 {
+                let vertex = mesh.vertex(face.halfedge(k)).index();
+                let number = self.planes[vertex].number(to_right);
+                // As long as it is, also where the vertex is bent away from the face.
+                if number.magnitude() > 0.0 {
+                    normals[vertex] += number * (0.5 * (start[k] + end[k]) * along.length() / number.magnitude());
+                }
+            }
+        }
+        let diffused = self.diffusion.solve(&normals)?;
+        let unit = |[x, y]: [f64; 2]| {
+            let length = x.hypot(y);
+            if length > 0.0 { [x / length, y / length] } else { [0.0; 2] }
+        };
+        let field: Vec<[f64; 2]> = self.frames.in_faces(&diffused).into_iter().map(unit).collect();
+
+        // Vertices of the half-edge mesh; the first ones have the numbers of those that they are copies of.
+        let mut fixed: Vec<Option<f64>> = mesh.vertices().map(|copy| known[self.surface.vertex_of_cut(copy)]).collect();
+        let components = operators.components();
+        let mut is_reached = vec![false; self.planes.len()];
+        (0..fixed.len())
+            .filter(|&vertex| fixed[vertex].is_some())
+            .for_each(|vertex| is_reached[components[vertex] as usize] = true);
+        let mut is_grounded = is_reached.clone();
+        for (vertex, fixed) in fixed.iter_mut().enumerate() {
+            if !std::mem::replace(&mut is_grounded[components[vertex] as usize], true) {
+                *fixed = Some(0.0);
+            }
+        }
+        let laplacian = operators.laplacian();
+        let mut right = operators.divergence(&field);
+        for ([a, b], weight) in laplacian.edges() {
+            for (from, to) in [(a as usize, b as usize), (b as usize, a as usize)] {
+                right[to] += weight * fixed[from].unwrap_or(0.0);
+            }
+        }
+        right.iter_mut().zip(&fixed).for_each(|(right, fixed)| *right = fixed.unwrap_or(*right));
+        let matrix = laplacian.combine(|_| 0.0, |vertex| fixed[vertex].is_some());
+        let values = self.systems.system_of(matrix, progress)?.solve(&right)?;
+        let value = |vertex: VertexId| {
+            let is_reached = is_reached[components[vertex.index()] as usize];
+            if is_reached { values[vertex.index()] } else { f64::NAN }
+        };
+        Ok(self.surface.vertices().map(value).collect())
+    }
+}
