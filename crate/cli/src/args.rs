@@ -344,8 +344,9 @@ pub struct Transport {
     /// vertex then takes that of the nearest
     #[arg(long = "vector", value_name = "P:X,Y,Z", required = true, allow_hyphen_values = true)]
     pub vectors: Vec<PlacedVector>,
-    #[command(flatten)]
-    pub method: ByExactPaths,
+    /// How vectors are carried: along exact shortest paths, or by heat, which is smooth where several are as short
+    #[arg(long, value_name = "METHOD", value_parser = [Method::Exact.name(), Method::Heat.name()], default_value = Method::Exact.name())]
+    pub method: String,
     /// Write the vector of each vertex to a .csv file
     #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,

@@ -2,9 +2,10 @@
 
 use std::time::Instant;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use glam::DVec3;
-use heatwalk::{SurfacePoint, go_on, transport as carried};
+use heatwalk::heat::VectorHeat;
+use heatwalk::{Choice, Method, SurfacePoint, go_on, transport as carried};
 use serde_json::json;
 
 use crate::args::Transport;
@@ -25,14 +26,22 @@ pub fn transport(arguments: &Transport) -> Result<String> {
     let placed = arguments.vectors.iter().map(|at| Ok((at.place.on(soup, solver.surface())?, at.vector)));
     let placed: Vec<(SurfacePoint, DVec3)> = placed.collect::<Result<_>>()?;
     let start = Instant::now();
-    let vectors = carried(solver.exact_geometry(), &placed, &mut go_on)?;
+    let vectors = if arguments.method == Method::Heat.name() {
+        ensure!(
+            solver.joined().bridges().portals().is_empty(),
+            "heat carries nothing across bridges; give --bridge off"
+        );
+        VectorHeat::new(solver.surface(), &mut go_on)?.transport(&placed, &mut go_on)?
+    } else {
+        carried(solver.exact_geometry(), &placed, &mut go_on)?
+    };
     let transport_ms = milliseconds(start);
     let (surface, up) = (solver.surface(), arguments.axis.up);
     let column = |part: fn(DVec3) -> f64| {
         surface.to_inputs(&vectors.iter().map(|&vector| part(up.turned(vector))).collect(), f64::NAN)
     };
     let [x, y, z] = [column(|vector| vector.x), column(|vector| vector.y), column(|vector| vector.z)];
-    report.push("method", arguments.method.name.as_str());
+    report.push("method", arguments.method.as_str());
     report.push("without_vector", x.iter().filter(|number| number.is_nan()).count());
     if let Some(output) = output {
         output.write(&[("x", x), ("y", y), ("z", z)])?;

@@ -11,6 +11,7 @@ use std::time::Instant;
 
 use glam::{DQuat, DVec3, dvec2};
 use heatwalk::exact::{ExactGeometry, Wavefront};
+use heatwalk::heat::VectorHeat;
 use heatwalk::{Element, FaceId, Place, Surface, VertexId, go_on, log_map, transport};
 use heatwalk_model::io;
 use heatwalk_shapes::icosphere;
@@ -71,21 +72,24 @@ fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
 fn sphere() -> Result<(), Box<dyn Error>> {
     let surface = Arc::new(Surface::build(&icosphere(5))?);
     let geometry = Arc::new(ExactGeometry::new(Arc::clone(&surface)));
-    let mut errors = Vec::new();
+    let heat = VectorHeat::new(&surface, &mut go_on)?;
+    let [mut errors, mut by_heat] = [Vec::new(), Vec::new()];
     for source in (0..surface.vertex_count() as u32).step_by(997).map(VertexId) {
         let start = surface.position(source);
         let vector: DVec3 = start.any_orthonormal_vector();
         let carried = transport(&geometry, &[(source, vector)], &mut go_on)?;
+        let diffused = heat.transport(&[(source, vector)], &mut go_on)?;
         for vertex in surface.vertices().filter(|&vertex| surface.position(vertex).dot(start) > -0.5) {
             let expected = DQuat::from_rotation_arc(start, surface.position(vertex)) * vector;
             errors.push(carried[vertex].angle_between(expected).to_degrees());
+            by_heat.push(diffused[vertex].angle_between(expected).to_degrees());
         }
     }
-    let [median, largest] = [0.5, 1.0].map(|part| share(&mut errors, part));
-    println!(
-        "\ntransport on the unit sphere of {} vertices: {median:.3} / {largest:.3} degrees",
-        surface.vertex_count()
-    );
+    println!("\ntransport on the unit sphere of {} vertices, degrees, median / largest:", surface.vertex_count());
+    for (name, mut errors) in [("exact paths", errors), ("heat", by_heat)] {
+        let [median, largest] = [0.5, 1.0].map(|part| share(&mut errors, part));
+        println!("{name}: {median:.3} / {largest:.3}");
+    }
     Ok(())
 }
 

@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec2, DVec3, dvec2, dvec3};
 use heatwalk::exact::{ExactGeometry, PlaceDistances, Wavefront};
+use heatwalk::heat::VectorHeat;
 use heatwalk::{
     Bridges, Costs, Element, Error, FaceId, HalfedgeId, LogMap, Place, Portal, Soup, Surface, ToPoint, VertexId, go_on,
     log_map, transport,
@@ -370,4 +371,34 @@ fn they_can_be_cancelled() {
     let cancel = &mut |_, _| ControlFlow::Break(());
     assert_eq!(log_map(&geometry, VertexId(0), None, cancel), Err(Error::Cancelled));
     assert_eq!(transport(&geometry, &[(VertexId(0), DVec3::X)], cancel), Err(Error::Cancelled));
+}
+
+#[test]
+fn heat_carries_vectors_over_a_sphere_and_lengths_and_numbers_from_the_nearest_point() {
+    let surface = Arc::new(surface(&shapes::icosphere(4)));
+    let heat = VectorHeat::new(&surface, &mut go_on).expect("factors");
+    let [near, far] = [0.9, -0.9].map(|z: f64| nearest(&surface, dvec3((1.0 - z * z).sqrt(), 0.0, z)));
+    let start = surface.position(near);
+    let vector = start.any_orthonormal_vector();
+    let carried = heat.transport(&[(near, 3.0 * vector)], &mut go_on).expect("vectors");
+    for vertex in surface.vertices().filter(|&vertex| surface.position(vertex).dot(start) > -0.5) {
+        let expected = 3.0 * (DQuat::from_rotation_arc(start, surface.position(vertex)) * vector);
+        assert!(carried[vertex].distance(expected) < 0.1, "{} for {expected}", carried[vertex]);
+    }
+    let two = [(near, 2.0 * vector), (far, 5.0 * surface.position(far).any_orthonormal_vector())];
+    let lengths = heat.transport(&two, &mut go_on).expect("vectors");
+    let numbers = heat.extend(&[(near, 2.0), (far, 5.0)], &mut go_on).expect("numbers");
+    for vertex in surface.vertices() {
+        let [to_near, to_far] =
+            [near, far].map(|point| surface.position(vertex).angle_between(surface.position(point)));
+        if (to_near - to_far).abs() > 0.5 {
+            let expected = if to_near < to_far { 2.0 } else { 5.0 };
+            assert!((numbers[vertex] - expected).abs() < 0.01, "{} for {expected}", numbers[vertex]);
+            assert!((lengths[vertex].length() - expected).abs() < 0.01, "{} for {expected}", lengths[vertex].length());
+        }
+    }
+    let none: [(VertexId, f64); 0] = [];
+    assert!(matches!(heat.extend(&none, &mut go_on), Err(Error::NoSource)));
+    let refused = heat.transport(&[(near, DVec3::ZERO)], &mut go_on).map(|_| ()).expect_err("no direction").to_string();
+    assert!(refused.contains("not square to the surface"), "{refused}");
 }

@@ -60,6 +60,15 @@ fn what_is_not_reached_has_no_numbers() {
     let row = rows(&folder, &["log-map", "two.obj", "--source", "0"], "vertex,u,v");
     let is_number: Vec<bool> = row.iter().map(|row| row.iter().all(|number| number.is_finite())).collect();
     assert_eq!(is_number, [true, true, true, false, false, false, false]);
+    let by_heat = answered(
+        &folder,
+        &["transport", "flat.ply", "--vector", "0:1,9,-2", "--method", "heat", "--output", "heat.csv"],
+    );
+    assert_eq!((&by_heat["method"], &by_heat["without_vector"]), (&"heat".into(), &0.into()));
+    for row in fs::read_to_string(folder.join("heat.csv")).unwrap().lines().skip(1) {
+        let numbers: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        assert!((numbers[1] - 1.0).abs() < 1e-9 && numbers[2].abs() < 1e-9 && (numbers[3] + 2.0).abs() < 1e-9, "{row}");
+    }
     let carried = answered(&folder, &["transport", "two.obj", "--vector", "0:1,0,0"]);
     assert_eq!(carried["without_vector"], json!(4));
 }

@@ -4,15 +4,20 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
 use heatwalk_sparse::{Progress, Scalar, System, c64};
-use heatwalk_surface::{Element, Surface, VertexData, VertexId};
+use heatwalk_surface::{Element, Place, Surface, ToPoint, VertexData, VertexId};
 
+use super::flow::{Condition, HeatFlow};
 use super::systems::Systems;
 use crate::curve::{Curve, Line};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::operator::intrinsic::IntrinsicTriangulation;
 use crate::operator::{ConnectionLaplacian, Frames, Operators, TangentPlane};
 use crate::options::LinearSolver;
+
+/// A vector whose part along the surface is a smaller share of it is square to the surface: rounding.
+const SQUARE: f64 = 1e-12;
 
 /// One step of diffusion of tangent vectors, factored.
 #[derive(Debug)]
@@ -40,6 +45,102 @@ impl VectorHeat {
         let matrix = ConnectionLaplacian::new(&frames, systems.operators()).heat_matrix(time);
         let diffusion = systems.system_of(matrix, progress)?;
         Ok(Self { surface: Arc::clone(surface), planes: frames.in_space(surface), frames, systems, diffusion })
+    }
+
+    /// Vectors at points, carried to all vertices (`#V × 3`): each goes where its point is the nearest, in the plane of the normal of the
+    /// vertex, and between two points lengths and directions go over into each other. Not numbers where no point reaches.
+    ///
+    /// # Errors
+    /// [`Error::NoSource`]; [`Error::BadParameter`] for a vector that is zero, not finite or square to the surface; those of
+    /// [`ToPoint::to_point`] and [`Self::new`].
+    pub fn transport<P: ToPoint>(&self, vectors: &[(P, DVec3)], progress: Progress<'_>) -> Result<VertexData<DVec3>> {
+        let mut supply = vec![c64::new(0.0, 0.0); self.planes.len()];
+        let mut lengths = Vec::new();
+        for &(point, vector) in vectors {
+            let place = point.to_point(&self.surface)?.place();
+            lengths.push((place, self.supply(place, vector, &mut supply)?));
+        }
+        let directions = self.diffusion.solve(&supply)?;
+        let lengths = self.extended(&lengths, progress)?;
+        let value = |vertex: VertexId| {
+            let direction = directions[vertex.index()];
+            self.planes[vertex.index()].vector(direction / direction.magnitude()) * lengths[vertex.index()]
+        };
+        Ok(self.surface.vertices().map(value).collect())
+    }
+
+    /// Numbers at points, carried to all vertices (`#V`): each vertex has that of the nearest point, and between two points they go over
+    /// into each other. Not numbers where no point reaches.
+    ///
+    /// # Errors
+    /// [`Error::NoSource`]; those of [`ToPoint::to_point`] and [`Self::new`].
+    pub fn extend<P: ToPoint>(&self, numbers: &[(P, f64)], progress: Progress<'_>) -> Result<VertexData<f64>> {
+        let placed = |&(point, number): &(P, f64)| Ok((point.to_point(&self.surface)?.place(), number));
+        let placed = numbers.iter().map(placed).collect::<Result<Vec<_>>>()?;
+        let extended = self.extended(&placed, progress)?;
+        Ok(self.surface.vertices().map(|vertex| extended[vertex.index()]).collect())
+    }
+
+    /// Adds a vector at a place to the supply of the vertices around it. Returns how long it is along the surface.
+    fn supply(&self, place: Place, vector: DVec3, supply: &mut [c64]) -> Result<f64> {
+        let normal = self.normal(place);
+        let along = vector - normal * vector.dot(normal);
+        // Of a vector that is not finite, or zero, the comparison does not hold.
+        if !(vector.is_finite() && along.length() > SQUARE * vector.length()) {
+            let range = "a finite vector that is not square to the surface";
+            return Err(Error::BadParameter { name: "the vector", value: vector.to_string(), range });
+        }
+        for (vertex, weight) in self.support(place) {
+            let number = self.planes[vertex.index()].number(along);
+            supply[vertex.index()] += number * (weight / number.magnitude());
+        }
+        Ok(along.length())
+    }
+
+    /// Of unit length.
+    fn normal(&self, place: Place) -> DVec3 {
+        match place.vertex(&self.surface) {
+            Some(vertex) => self.planes[vertex.index()].normal,
+            None => place
+                .faces(&self.surface)
+                .into_iter()
+                .map(|face| self.surface.face_normal(face))
+                .sum::<DVec3>()
+                .normalize(),
+        }
+    }
+
+    /// The vertices that a place is between, in the half-edge mesh, with its weights.
+    fn support(&self, place: Place) -> Vec<(VertexId, f64)> {
+        let faces = place.faces(&self.surface);
+        let Some(&face) = faces.first() else { return Vec::new() };
+        let weights = place.weights_in(&self.surface, face);
+        let vertex = |k: usize| VertexId(self.surface.mesh().vertex(face.halfedge(k)).0);
+        (0..3).filter(|&k| weights[k] > 0.0).map(|k| (vertex(k), weights[k])).collect()
+    }
+
+    fn scalars(&self, numbers: &[(Place, f64)]) -> Vec<f64> {
+        let mut supply = vec![0.0; self.planes.len()];
+        for &(place, number) in numbers {
+            self.support(place).into_iter().for_each(|(vertex, weight)| supply[vertex.index()] += weight * number);
+        }
+        supply
+    }
+
+    fn heat(&self, progress: Progress<'_>) -> Result<HeatFlow> {
+        let time = self.systems.operators().mean_edge().powi(2);
+        HeatFlow::new(&self.systems, time, Condition::Neumann, progress)
+    }
+
+    /// [`Self::extend`] to the vertices of the half-edge mesh.
+    fn extended(&self, numbers: &[(Place, f64)], progress: Progress<'_>) -> Result<Vec<f64>> {
+        if numbers.is_empty() {
+            return Err(Error::NoSource);
+        }
+        let flow = self.heat(progress)?;
+        let ones: Vec<(Place, f64)> = numbers.iter().map(|&(place, _)| (place, 1.0)).collect();
+        let (sums, counts) = (flow.solve(&self.scalars(numbers))?, flow.solve(&self.scalars(&ones))?);
+        Ok(sums.iter().zip(&counts).map(|(sum, count)| sum / count).collect())
     }
 
     /// Distance from curves as their normals tell it (`#V`, in the file's unit), negative on their left, whether they are closed or broken.
