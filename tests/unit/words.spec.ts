@@ -3,7 +3,8 @@ import { MODEL, ofModel } from '../../web/length';
 import type { DistanceField } from '../../web/protocol';
 import type { Phase } from '../../web/solver/refiner';
 import { measure } from '../../web/state/measures';
-import { errorWords, exactnessWords, fieldSentence, hikingWords, refiningSentence } from '../../web/ui/words';
+import { errorWords, fieldSentence, refiningSentence } from '../../web/ui/accuracy';
+import { exactnessWords, hikingWords } from '../../web/ui/words';
 
 const FIELD: DistanceField = {
   distance: new Float32Array(),

@@ -9,7 +9,7 @@ import {
   type Operator,
   TIME_STEP_FACTORS,
 } from '../wasm/contract';
-import { type AutomaticControl, automaticSlider } from './dom';
+import { type AutomaticControl, automaticSlider } from './widgets';
 import { threeDigits } from '../state/measures';
 import { t, type Words } from '../texts';
 

@@ -1,16 +1,11 @@
 /** Numbers and sentences as the page shows them. */
-import type { BuildReport, DistanceField, Factoring, FieldError, OpenedMesh } from '../protocol';
-import { MOST_SECONDS, type Phase } from '../solver/refiner';
+import type { BuildReport, DistanceField, Factoring, OpenedMesh } from '../protocol';
 import { entry } from '../state/entry';
 import { inUnit, isKnown, type LengthUnit, type ModelLength, told } from '../length';
 import { measure } from '../state/measures';
-import type { SceneState } from '../state/scene';
 import { partsOfFaces } from '../state/parts';
 import type { SourceSet } from '../state/sources';
 import { count, counted, enumerated, listed, numbers, retold, sentences, some, t, type Words } from '../texts';
-
-/** What is wanted of a field. */
-type Wish = Pick<SceneState, 'method' | 'pathKind'>;
 
 /** What is said to who has a mouse, and to who has fingers. */
 export function byHand<T>(mouse: T, touch: T): T {
@@ -78,7 +73,7 @@ export function hikingWords(cost: ModelLength, unit: LengthUnit): Words | null {
 }
 
 /** Share of exact vertices that is worth telling. */
-const LEAST_EXACT = 0.01;
+export const LEAST_EXACT = 0.01;
 
 /** How large a mesh is. */
 export function sizeWords({ report, interior }: OpenedMesh): Words {
@@ -223,19 +218,8 @@ function joints({ components }: BuildReport, { groups, contacts, links }: Factor
   ];
 }
 
-function groupWords(groups: number): Words {
+export function groupWords(groups: number): Words {
   return counted(groups, 'one group', '{0} groups');
-}
-
-/** How many links there are between groups and how far they reach; null without any. */
-export function linksSentence({ groups, links, linkedGap }: Factoring, unit: LengthUnit): Words | null {
-  return some(
-    links,
-    '{0} link over a gap of {1}; {2}.',
-    '{0} links over gaps of up to {1}; {2}.',
-    measure(linkedGap, unit),
-    groupWords(groups),
-  );
 }
 
 function repairs(report: BuildReport, unit: LengthUnit): Words[] {
@@ -266,46 +250,6 @@ export function exactnessWords(field: DistanceField): Words {
   return isExact ? t`propagation, ${percentDown(exactShare)} exact` : t('propagation');
 }
 
-/** How a field was found, and how far it is exact, in a sentence. */
-export function fieldSentence(field: DistanceField, unit: LengthUnit): Words {
-  const { exactBelow, exactShare, windows, error, inner, timeFactor } = field;
-  if (inner && timeFactor === undefined) {
-    return exactBelow === Infinity
-      ? t('Exact: straight lines lead from everywhere to a source.')
-      : t`By waves. Straight lines lead from ${percentDown(exactShare)} of the vertices to a source: these are exact.`;
-  }
-  if (exactBelow === Infinity) return sentences(t('Exact.'), error && errorSentence(error, windows));
-  const figures = [measure(exactBelow, unit), percentDown(exactShare)] as const;
-  if (windows === undefined) {
-    return exactShare >= LEAST_EXACT
-      ? t('By the heat method: exact below {0} ({1} of vertices).', ...figures)
-      : t('By the heat method.');
-  }
-  return exactShare >= LEAST_EXACT
-    ? counted(
-        windows,
-        'By propagation with {0} window: exact below {1} ({2} of vertices), an upper bound beyond.',
-        'By propagation with {0} windows: exact below {1} ({2} of vertices), an upper bound beyond.',
-        ...figures,
-      )
-    : counted(windows, 'By propagation with {0} window.', 'By propagation with {0} windows.');
-}
-
-function errorSentence(error: FieldError, windows: number | undefined): Words {
-  return windows === undefined
-    ? t`Error of the heat method: ${errorWords(error)}.`
-    : counted(
-        windows,
-        'Error of propagation with {0} window: {1}.',
-        'Error of propagation with {0} windows: {1}.',
-        errorWords(error),
-      );
-}
-
-export function errorWords({ mean, max }: FieldError): Words {
-  return t`mean ${finePercent(mean)}, maximum ${finePercent(max)}`;
-}
-
 /** What a set is, with how many places it has. */
 export function setName({ shape, points }: SourceSet, opened?: OpenedMesh): Words {
   const places = points.length;
@@ -326,41 +270,6 @@ export function setName({ shape, points }: SourceSet, opened?: OpenedMesh): Word
       return t`${opened?.parts[shape.part]?.name || t`Part ${shape.part + 1}`}, ${verticesWords(places)}`;
     case 'list':
       return t`${shape.name}: ${count(places)}`;
-  }
-}
-
-/** What is shown, and the state of refinement or the reason why it ended. */
-export function refiningSentence(
-  phase: Phase,
-  field: DistanceField,
-  { method, pathKind }: Wish,
-  unit: LengthUnit,
-): Words {
-  const soFar = fieldSentence(field, unit);
-  switch (phase) {
-    case 'memory':
-      return sentences(
-        soFar,
-        t('Refinement stopped because memory ran out.'),
-        pathKind === 'exact' ? t('The path is straightened where no exact one was found.') : null,
-      );
-    case 'late':
-      return sentences(soFar, t`Refinement stopped after ${MOST_SECONDS} seconds.`);
-    case 'stuck':
-      return sentences(soFar, t('Refinement stopped because it made no progress.'));
-    case 'off':
-      return method === 'propagation' ? soFar : sentences(soFar, t('Refinement is off.'));
-    case 'costs':
-      return sentences(soFar, t('Where costs differ, windows and paths are refracted and nothing is exact.'));
-    case 'inside':
-    case 'exact':
-    case 'solving':
-    case 'resting':
-    case 'refining':
-    case 'hidden':
-    case 'failed':
-    case 'idle':
-      return soFar;
   }
 }
 

@@ -1,7 +1,8 @@
 /** What the hand can do on this device, and lines on the settings. Fetched when it is asked for first. */
 import '../../style/help.css';
 import type { Session } from '../../session/session';
-import { h, labelled, sayAgain, select, toggle } from '../dom';
+import { h, sayAgain, select } from '../dom';
+import { labelled, toggle } from '../widgets';
 import { hasShortcuts, setShortcuts } from '../shortcuts';
 import { byHand } from '../words';
 import { about } from './about';

@@ -1,10 +1,10 @@
 /** Tells screen readers what is shown once it has come to rest: how exact distances are, how far they reach, how long the path is. */
 import type { Session } from '../../session/session';
 import { isSameUnit, unitOf } from '../../length';
+import { refiningSentence } from '../accuracy';
 import { h, say } from '../dom';
 import { hasCosts } from '../../state/ground';
 import { measure } from '../../state/measures';
-import { refiningSentence } from '../words';
 import { sentences, t, type Words } from '../../texts';
 
 /** A drag or a key that repeats comes back within. */

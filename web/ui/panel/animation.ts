@@ -1,7 +1,8 @@
 import type { Clip } from '../../protocol';
 import type { Session } from '../../session/session';
 import { type Animation, SPEEDS } from '../../state/scene';
-import { attribute, h, say, select, slider, toggle } from '../dom';
+import { attribute, h, say, select } from '../dom';
+import { slider, toggle } from '../widgets';
 import { KEYS, withKey } from '../keys';
 import { listed, some, t, type Words } from '../../texts';
 import { hundredths, tenths } from '../words';

@@ -8,7 +8,8 @@ import { codeOf, COSTS, costOf, isPainted, isWeighted } from '../../state/ground
 import { isKnown, isSameUnit, type LengthUnit, unitOf } from '../../length';
 import type { Signal } from '../../state/signal';
 import type { Tool } from '../../state/tool';
-import { attribute, h, labelled, say, select, slider, toggle } from '../dom';
+import { attribute, h, say, select } from '../dom';
+import { labelled, slider, toggle } from '../widgets';
 import { KEYS, withKey } from '../keys';
 import { measure, threeDigits } from '../../state/measures';
 import { byHand, hikingWords, percent } from '../words';

@@ -4,7 +4,8 @@ import type { SceneState } from '../../state/scene';
 import { fitLink } from '../../state/sets';
 import { png, save } from '../../view/picture';
 import { copy } from '../clipboard';
-import { h, labelled, say, select, toggle } from '../dom';
+import { h, say, select } from '../dom';
+import { labelled, toggle } from '../widgets';
 import { fileNameOf } from '../words';
 import { t, type Words } from '../../texts';
 

@@ -1,9 +1,11 @@
+import type { Factoring } from '../../protocol';
 import type { Engine } from '../../solver/engine';
 import type { Shown } from '../../session/prepare';
 import type { Session } from '../../session/session';
 import { isMethodOf } from '../../state/inside';
-import { isSameUnit, unitOf } from '../../length';
+import { isSameUnit, type LengthUnit, unitOf } from '../../length';
 import { hasWalls } from '../../state/ground';
+import { measure } from '../../state/measures';
 import { type Bridge, mayBeJoined } from '../../state/scene';
 import {
   AUTOMATIC,
@@ -19,11 +21,13 @@ import {
   type PathKind,
   WINDOWS,
 } from '../../wasm/contract';
-import { automaticSlider, h, labelled, reason, say, select, toggle } from '../dom';
+import { refiningSentence } from '../accuracy';
+import { h, say, select } from '../dom';
+import { automaticSlider, labelled, reason, toggle } from '../widgets';
 import { calmly } from './calm';
 import { BOUNDARIES, METHODS, MULTI_SOURCES, OPERATORS, SOLVERS, timeFactor } from '../settings';
-import { linksSentence, refiningSentence } from '../words';
-import { count, t, type Words } from '../../texts';
+import { groupWords } from '../words';
+import { count, some, t, type Words } from '../../texts';
 
 const METHOD_HINTS: Record<Method, Words> = {
   auto: t('Propagation at once, then refined to exact unless ground has costs. Nothing is factored.'),
@@ -242,4 +246,15 @@ function refiningStatus(session: Session): HTMLElement {
     if (!isSameUnit(state, previous)) show();
   });
   return status;
+}
+
+/** How many links there are between groups and how far they reach; null without any. */
+function linksSentence({ groups, links, linkedGap }: Factoring, unit: LengthUnit): Words | null {
+  return some(
+    links,
+    '{0} link over a gap of {1}; {2}.',
+    '{0} links over gaps of up to {1}; {2}.',
+    measure(linkedGap, unit),
+    groupWords(groups),
+  );
 }

@@ -17,7 +17,8 @@ import {
   type RampName,
 } from '../../state/styles';
 import { isSameUnit, ofModel, unitOf } from '../../length';
-import { h, labelled, reason, select, slider, toggle } from '../dom';
+import { h, select } from '../dom';
+import { labelled, reason, slider, toggle } from '../widgets';
 import { measure } from '../../state/measures';
 import { percent, tenths } from '../words';
 import { t, type Words } from '../../texts';
