@@ -1,6 +1,6 @@
 import { expect, test } from '@playwright/test';
 import { codesOfRows, codesOfVertices } from '../../web/state/costs';
-import { areaOf, BRUSH, Stroke, type Terrain, toggled, touched } from '../../web/state/brush';
+import { BRUSH } from '../../web/state/brush';
 import {
   CLOSED_GATE,
   codeOf,
@@ -14,6 +14,7 @@ import {
   OPEN_GATE,
   WALL,
 } from '../../web/state/ground';
+import { areaOf, Stroke, type Terrain, toggled, touched } from '../../web/state/painting';
 
 test('costs survive their codes: powers of two exactly, others to three per cent', () => {
   for (const cost of [0.25, 0.5, 1, 2, 4, 64]) expect(costOf(codeOf(cost))).toBe(cost);

@@ -1,8 +1,10 @@
-/** Costs that files give, painted in the place of what is painted. Fetched with the first of these. */
+/** What is painted everywhere at once, in the place of what was: costs that files give, or the material of the brush. */
 import { Failure } from '../error';
+import type { Brush } from '../state/brush';
 import { codesOfRows, codesOfVertices } from '../state/costs';
 import { entry } from '../state/entry';
 import { withFaces } from '../state/ground';
+import { codeOfMaterial } from '../state/painting';
 import type { Session } from './session';
 import { t } from '../texts';
 
@@ -10,7 +12,12 @@ import { t } from '../texts';
 export function paintRows(session: Session, name: string, text: string): void {
   const opened = session.shown.value?.opened;
   if (opened?.interior) throw new Failure(t`${name} is for surfaces: inside of tetrahedra nothing is painted.`);
-  repaint(session, codesOfRows(name, text, (opened?.surface.triangles.length ?? 0) / 3));
+  repaint(session, codesOfRows(name, text, trianglesOf(session)));
+}
+
+/** Paints all of it with the material of a brush. */
+export function paintAll(session: Session, brush: Brush): void {
+  repaint(session, new Uint8Array(trianglesOf(session)).fill(codeOfMaterial(brush)));
 }
 
 /** Paints what the file of the mesh says that vertices cost. */
@@ -24,6 +31,10 @@ export function paintWeights(session: Session): void {
   } catch (error) {
     session.fail(error);
   }
+}
+
+function trianglesOf({ shown }: Session): number {
+  return (shown.value?.opened.surface.triangles.length ?? 0) / 3;
 }
 
 function repaint({ scene }: Session, codes: Uint8Array): void {

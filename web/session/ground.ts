@@ -1,18 +1,9 @@
 /** Changes the ground of the scene as pointer, keyboard and panel ask for it. */
 import { Failure } from '../error';
 import type { OpenedMesh, MeshPoint } from '../protocol';
-import {
-  areaOf,
-  BRUSH,
-  type Brush,
-  codeOfMaterial,
-  type Disc,
-  filled,
-  Stroke,
-  type Terrain,
-  toggled,
-} from '../state/brush';
+import { BRUSH, type Brush } from '../state/brush';
 import { type Ground, LEVEL, type WallLine } from '../state/ground';
+import type { Disc, Stroke, Terrain } from '../state/painting';
 import { type Vector, distance } from '../state/vector';
 import { Signal } from '../state/signal';
 import type { Tool } from '../state/tool';
@@ -27,6 +18,10 @@ const GRIP_PX = 9;
 const MARK = 0.008;
 
 export const NO_GROUND = t('Inside of tetrahedra there is no ground.');
+
+/** What paints: fetched when there is a brush, unless the panel has brought it. */
+const fetchPainter = () => import('../state/painting');
+type Painter = Awaited<ReturnType<typeof fetchPainter>>;
 
 /** A stroke under way. */
 interface Painting {
@@ -43,7 +38,7 @@ export class GroundEditor {
   readonly lineEnd = new Signal<number | null>(null);
   readonly #session: Session;
   readonly #tool: Signal<Tool>;
-  #known: { opened: OpenedMesh; neighbors: Uint32Array } | null = null;
+  #known: { opened: OpenedMesh; neighbors: Uint32Array; painter: Painter } | null = null;
   #painting: Painting | null = null;
 
   constructor(session: Session, tool: Signal<Tool>) {
@@ -97,12 +92,13 @@ export class GroundEditor {
     return places && center ? { center, radius: MARK * places.drawnDiameter } : null;
   }
 
-  /** Begins a stroke; false where triangles are not known yet. */
+  /** Begins a stroke; false where it cannot be painted yet. */
   begin(hit: PointHit): boolean {
-    const terrain = this.#terrain;
-    if (!terrain) return false;
+    const canvas = this.#canvas;
+    if (!canvas) return false;
+    const { terrain, painter } = canvas;
     const session = this.#session;
-    const stroke = new Stroke(session.scene.state.ground, terrain.triangles.length / 3, this.brush.value);
+    const stroke = new painter.Stroke(session.scene.state.ground, terrain.triangles.length / 3, this.brush.value);
     this.#painting = { stroke, terrain, gesture: {}, has: false };
     session.painting = true;
     this.paint([hit]);
@@ -149,14 +145,6 @@ export class GroundEditor {
     else if (tool === 'fill' && 'face' in point) this.#fill(point.face);
   }
 
-  /** Paints everything. */
-  fillAll(): void {
-    const triangles = this.#triangles;
-    const { scene } = this.#session;
-    const all = Array.from({ length: triangles }, (_, face) => face);
-    scene.edit({ ground: filled(scene.state.ground, triangles, all, codeOfMaterial(this.brush.value)) });
-  }
-
   /** Takes away all that is painted, and all walls. */
   clear(): void {
     const { scene } = this.#session;
@@ -176,11 +164,12 @@ export class GroundEditor {
   }
 
   #fill(face: number): void {
-    const terrain = this.#terrain;
-    if (!terrain) return;
+    const canvas = this.#canvas;
+    if (!canvas) return;
+    const { areaOf, codeOfMaterial, filled } = canvas.painter;
     const { scene } = this.#session;
     const { ground } = scene.state;
-    const area = areaOf(terrain.neighbors, ground.faces, face);
+    const area = areaOf(canvas.terrain.neighbors, ground.faces, face);
     scene.edit({ ground: filled(ground, this.#triangles, area, codeOfMaterial(this.brush.value)) });
   }
 
@@ -194,8 +183,9 @@ export class GroundEditor {
       scene.edit({ ground: { ...ground, lines: ground.lines.with(index, { ...line, open: !line.open }) } });
       return;
     }
-    const terrain = this.#terrain;
-    const changed = terrain && 'face' in point ? toggled(ground, terrain.neighbors, point.face) : null;
+    const canvas = this.#canvas;
+    if (!canvas || !('face' in point)) return;
+    const changed = canvas.painter.toggled(ground, canvas.terrain.neighbors, point.face);
     if (changed) scene.edit({ ground: changed });
   }
 
@@ -260,21 +250,23 @@ export class GroundEditor {
     return (this.#session.shown.value?.opened.surface.triangles.length ?? 0) / 3;
   }
 
-  get #terrain(): Terrain | null {
+  /** What is painted, and by what; null until both are there. */
+  get #canvas(): { terrain: Terrain; painter: Painter } | null {
     const shown = this.#session.shown.value;
     if (!shown || this.#known?.opened !== shown.opened) return null;
     const { triangles } = shown.opened.surface;
-    return { positions: shown.places.positions, triangles, neighbors: this.#known.neighbors };
+    const { neighbors, painter } = this.#known;
+    return { terrain: { positions: shown.places.positions, triangles, neighbors }, painter };
   }
 
-  /** Asks what lies beside each triangle, where there is a brush and that is not known. */
+  /** Asks what lies beside each triangle, where there is a brush and that is not known, and fetches what paints. */
   async #learn(): Promise<void> {
     const { engine, shown } = this.#session;
     const opened = shown.value?.opened;
     if (!this.isOn || !engine || !opened || this.#known?.opened === opened) return;
     try {
-      const neighbors = await engine.queries.neighbors();
-      if (shown.value?.opened === opened) this.#known = { opened, neighbors };
+      const [neighbors, painter] = await Promise.all([engine.queries.neighbors(), fetchPainter()]);
+      if (shown.value?.opened === opened) this.#known = { opened, neighbors, painter };
     } catch (error) {
       this.#session.fail(error);
     }

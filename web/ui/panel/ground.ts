@@ -1,5 +1,5 @@
 import type { DrawPath } from '../../protocol';
-import { paintWeights } from '../../session/costs';
+import { paintAll, paintWeights } from '../../session/costs';
 import { type GroundEditor, NO_GROUND } from '../../session/ground';
 import type { Session } from '../../session/session';
 import { colourOfCost, WALL_COLOURS } from '../../session/tints';
@@ -107,7 +107,7 @@ export function groundSection(session: Session, editor: GroundEditor, pointer: S
   });
   const fill = h(
     'button',
-    { class: 'small', title: t('Paints all of it'), onclick: () => editor.fillAll() },
+    { class: 'small', title: t('Paints all of it'), onclick: () => paintAll(session, editor.brush.value) },
     t('Fill all'),
   );
   const clear = h(
