@@ -29,7 +29,7 @@ pub fn distance(arguments: &Distance) -> Result<String> {
     }
     let asked = Asked { solver: &mut prepared.solver, sources: &sources, arguments, options: &options };
     let (columns, solve_ms) = if question.curves.are_given() {
-        asked.from_curves(&input.model.soup, &mut report)?
+        asked.of_curves(&input.model.soup, &mut report)?
     } else if arguments.each {
         asked.each(&mut report)?
     } else {
@@ -81,7 +81,7 @@ impl Asked<'_> {
     }
 
     /// From all curves at once, and the milliseconds that it took.
-    fn from_curves(self, soup: &Soup, report: &mut Report) -> Result<(Columns, f64)> {
+    fn of_curves(self, soup: &Soup, report: &mut Report) -> Result<(Columns, f64)> {
         let Question { curves, closed, .. } = &self.arguments.question;
         let found = curves.distances(soup, self.solver, *closed)?;
         let values = self.solver.surface().to_inputs(&found.values, f64::INFINITY);

@@ -7,6 +7,7 @@ use std::error::Error;
 use std::fs;
 use std::hint::black_box;
 use std::path::Path;
+use std::slice::from_ref;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -68,7 +69,7 @@ fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
 
     let spacing = curve.length(&surface)? / POINTS;
     let of_points = exact_distance(&surface, &points(&surface, &curve, spacing)?, &mut go_on)?;
-    let found = curve_distance(&geometry, &[curve.clone()], &mut go_on)?;
+    let found = curve_distance(&geometry, from_ref(&curve), &mut go_on)?;
     let (mut above, mut below) = (0.0_f64, Vec::new());
     for vertex in surface.vertices().filter(|&vertex| found[vertex].is_finite()) {
         let excess = of_points[vertex] - found[vertex];
@@ -93,10 +94,10 @@ fn signs(surface: &Surface, geometry: &Arc<ExactGeometry>) -> Result<String, Box
     let whole = Curve::new(surface, &places, true)?;
     let broken = Curve::new(surface, &places[..places.len() * 4 / 5], false)?;
     // What the isoline parts, by a way along edges that do not cross it.
-    let truth = signed_curve_distance(geometry, &[whole.clone()], Sign::Nearest, &mut go_on)?.values;
+    let truth = signed_curve_distance(geometry, from_ref(&whole), Sign::Nearest, &mut go_on)?.values;
     let inside = parts(surface, &from, level, &places);
     let right = |curve: &Curve, sign: Sign| -> heatwalk::Result<f64> {
-        let found = signed_curve_distance(geometry, &[curve.clone()], sign, &mut go_on)?.values;
+        let found = signed_curve_distance(geometry, from_ref(curve), sign, &mut go_on)?.values;
         let far =
             surface.vertices().filter(|&vertex| truth[vertex].is_finite() && truth[vertex].abs() > surface.mean_edge());
         let (all, right) = far.fold((0, 0), |(all, right), vertex| {

@@ -5,6 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
+use std::slice::from_ref;
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3, dvec2};
@@ -110,7 +111,7 @@ fn in_the_plane_distance_is_to_the_nearest_point_of_polygons_and_signed_by_their
             let points = star(&mut random, corners);
             let places: Vec<Place> = points.iter().map(|&point| place_at(&surface, point)).collect();
             let curve = through(&geometry, &places, is_closed);
-            let (found, with_sign) = (distance(&geometry, &[curve.clone()]), signed(&geometry, &[curve]));
+            let (found, with_sign) = (distance(&geometry, from_ref(&curve)), signed(&geometry, &[curve]));
             for vertex in surface.vertices() {
                 let (right, is_left) = to_polygon(&points, is_closed, surface.position(vertex).truncate());
                 assert!((found[vertex] - right).abs() < ROUNDING, "{} for {right} at {vertex:?}", found[vertex]);
@@ -158,7 +159,7 @@ fn along(surface: &Surface, curve: &Curve, spacing: f64) -> Vec<Source> {
 fn assert_as_from_points(soup: &Soup, places: &[Place], is_closed: bool, name: &str) {
     let (surface, geometry) = laid_out(soup);
     let curve = through(&geometry, places, is_closed);
-    let front = searched(&geometry, &[curve.clone()], &[]);
+    let front = searched(&geometry, from_ref(&curve), &[]);
     let spacing = curve.length(&surface).expect("its surface") / 2000.0;
     let points = exact_distance(&surface, &along(&surface, &curve, spacing), &mut go_on).expect("points");
     for vertex in surface.vertices() {
@@ -224,7 +225,7 @@ fn paths_end_on_the_curve_and_are_as_long_as_the_distance() {
         let (surface, geometry) = laid_out(&soup);
         let curve = through(&geometry, &places, true);
         let ends = some_places(&soup, &mut random, 5);
-        let front = searched(&geometry, &[curve.clone()], &ends);
+        let front = searched(&geometry, from_ref(&curve), &ends);
         let of_vertices = surface.vertices().map(|vertex| (front.path_from_vertex(vertex), front.values()[vertex]));
         let of_places = (0..ends.len()).map(|place| (front.path_from_target(place), front.target_values()[place]));
         for (path, value) in of_vertices.chain(of_places) {
@@ -270,7 +271,7 @@ fn right_share(surface: &Surface, geometry: &Arc<ExactGeometry>, curves: &[Curve
 fn a_circle_of_latitude_has_the_pole_on_its_left_even_if_a_fifth_is_missing() {
     let (surface, geometry) = laid_out(&shapes::icosphere(4));
     let whole = through(&geometry, &circle(&surface, 40), true);
-    assert_eq!(right_share(&surface, &geometry, &[whole.clone()], Sign::Auto), (1.0, Sign::Nearest));
+    assert_eq!(right_share(&surface, &geometry, from_ref(&whole), Sign::Auto), (1.0, Sign::Nearest));
     assert_eq!(right_share(&surface, &geometry, &[whole], Sign::Heat), (1.0, Sign::Heat));
     let broken = [through(&geometry, &circle(&surface, 33), false)];
     let (heat, sign) = right_share(&surface, &geometry, &broken, Sign::Auto);
@@ -331,7 +332,7 @@ fn what_is_no_curve_is_refused() {
         "{refused}"
     );
     let (_, other) = laid_out(&shapes::icosphere(5));
-    assert!(curve_distance(&other, &[curve.clone()], &mut go_on).is_err());
+    assert!(curve_distance(&other, from_ref(&curve), &mut go_on).is_err());
     let large = through(&other, &[Place::Vertex(VertexId(0)), Place::Vertex(VertexId(1))], false);
     assert!(matches!(curve_distance(&other, &[large], &mut |_, _| ControlFlow::Break(())), Err(Error::Cancelled)));
     let costs: Vec<f64> = (0..surface.face_count()).map(|face| 1.0 + (face % 2) as f64).collect();

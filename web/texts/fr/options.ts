@@ -83,6 +83,13 @@ export const OPTIONS: Texts = {
   'closed: each path begins where the one before ends':
     'une courbe fermée : chaque chemin commence où le précédent finit',
   'a finite vector that is not square to the surface': 'un vecteur fini, non perpendiculaire à la surface',
+  'the curve': 'la courbe',
+  'a place of the curve': 'un point de la courbe',
+  'at {0}, then at {1}, place {2} of it': 'en {0}, puis en {1}, son point {2}',
+  'through places each of which is in one triangle with the one before':
+    'par des points qui partagent chacun un triangle avec le précédent',
+  'given by {0} place{1}': 'donnée par {0} point{1}',
+  'given by two different places or more': 'donnée par deux points différents ou plus',
   'the direction': 'la direction',
   'the vector': 'le vecteur',
   'the source': 'la source',
