@@ -51,7 +51,8 @@ pub fn signed_curve_distance(
         None => {
             let near = near.map_or_else(|| vec![None; values.len()], |near| near.into_iter().map(Some).collect());
             let known = beside(geometry.surface(), &segments, values, &near);
-            let heat = VectorHeat::new(geometry.surface(), progress)?.signed_distance(curves, &known, progress)?;
+            let lines = curves.iter().flat_map(Curve::lines).map(|line| (line.face, line.ends));
+            let heat = VectorHeat::new(geometry.surface(), progress)?.signed_distance(lines, &known, progress)?;
             let close = geometry.surface().mean_edge();
             let is_left = |((&value, &heat), near): ((&f64, &f64), Option<Side>)| match near {
                 Some(side) if heat.is_nan() || (value <= close && !side.is_end) => side.is_left,

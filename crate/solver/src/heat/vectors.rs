@@ -6,11 +6,10 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use heatwalk_sparse::{Progress, Scalar, System, c64};
-use heatwalk_surface::{Element, Place, Surface, ToPoint, VertexData, VertexId};
+use heatwalk_surface::{Element, FaceId, Place, Surface, ToPoint, VertexData, VertexId};
 
 use super::flow::{Condition, HeatFlow};
 use super::systems::Systems;
-use crate::curve::{Curve, Line};
 use crate::error::{Error, Result};
 use crate::operator::intrinsic::IntrinsicTriangulation;
 use crate::operator::{ConnectionLaplacian, Frames, Operators, TangentPlane};
@@ -143,20 +142,21 @@ impl VectorHeat {
         Ok(sums.iter().zip(&counts).map(|(sum, count)| sum / count).collect())
     }
 
-    /// Distance from curves as their normals tell it (`#V`, in the file's unit), negative on their left, whether they are closed or broken.
+    /// Distance from straight lines in faces as their normals tell it (`#V`, in the file's unit), negative on their left, whether they make
+    /// closed curves or broken ones.
     /// `known`: the distances of vertices beside them (`#V`), from which it goes on. Not a number on components where none is known.
     ///
     /// # Errors
     /// As [`Self::new`].
     pub(crate) fn signed_distance(
         &self,
-        curves: &[Curve],
+        lines: impl Iterator<Item = (FaceId, [Place; 2])>,
         known: &VertexData<Option<f64>>,
         progress: Progress<'_>,
     ) -> Result<VertexData<f64>> {
         let (mesh, operators) = (self.surface.mesh(), self.systems.operators());
         let mut normals = vec![c64::new(0.0, 0.0); self.planes.len()];
-        for &Line { face, ends } in curves.iter().flat_map(Curve::lines) {
+        for (face, ends) in lines {
             let along = ends[1].position(&self.surface) - ends[0].position(&self.surface);
             let to_right = along.cross(self.surface.face_normal(face));
             let [start, end] = ends.map(|place| place.weights_in(&self.surface, face));
