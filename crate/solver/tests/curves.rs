@@ -144,13 +144,9 @@ fn along_the_edges_of_a_grid_as_well() {
 fn along(surface: &Surface, curve: &Curve, spacing: f64) -> Vec<Source> {
     let mut sources = Vec::new();
     for line in curve.lines() {
-        let [start, end] = line.ends.map(|place| place.weights_in(surface, line.face));
-        let length = line.ends[0].position(surface).distance(line.ends[1].position(surface));
-        let parts = (length / spacing).ceil().max(1.0);
+        let parts = (line.length(surface) / spacing).ceil().max(1.0);
         for part in 0..=parts as u32 {
-            let share = f64::from(part) / parts;
-            let weights = std::array::from_fn(|k| start[k] + share * (end[k] - start[k]));
-            sources.push(surface.source(Place::Face { face: line.face, weights }, 0.0).expect("a place"));
+            sources.push(surface.source(line.at(surface, f64::from(part) / parts), 0.0).expect("a place"));
         }
     }
     sources

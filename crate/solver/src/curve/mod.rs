@@ -137,7 +137,15 @@ impl Line {
         Some(Self { face, ends })
     }
 
-    fn length(&self, surface: &Surface) -> f64 {
+    /// The place at this share, 0 to 1, of the way from its begin to its end.
+    pub fn at(&self, surface: &Surface, share: f64) -> Place {
+        let [start, end] = self.ends.map(|place| place.weights_in(surface, self.face));
+        let weights = std::array::from_fn(|k| start[k] + share * (end[k] - start[k]));
+        Place::Face { face: self.face, weights }
+    }
+
+    /// In the file's unit.
+    pub fn length(&self, surface: &Surface) -> f64 {
         let [start, end] = self.ends.map(|place| place.position(surface));
         start.distance(end)
     }

@@ -20,6 +20,7 @@ mod fans;
 mod geometry;
 mod goal;
 mod legs;
+mod lines;
 mod list;
 mod lists;
 mod merge;

@@ -3,12 +3,16 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use heatwalk_surface::{Place, Source};
+
 use super::geometry::{ExactGeometry, Frame, after, before};
+use super::lines::Lines;
 use super::origin::Origin;
 use super::pool::Pool;
 use super::strip::{Lost, Strip, merge, nearest_of};
-use super::wavefront::Wavefront;
+use super::wavefront::{Wavefront, require_one_cost};
 use super::window::length;
+use crate::error::Result;
 use crate::extremum::smaller;
 
 /// A straight line in a face.
@@ -21,18 +25,6 @@ pub(crate) struct Segment {
 
 /// What lies on the left and on the right of a segment, as seen from outside.
 pub(crate) const SIDES: u32 = 2;
-
-/// What a wavefront has where it starts from lines too. The page's module is small without this as long as nobody asks for it.
-pub(super) trait Lines: std::fmt::Debug + Send + Sync {
-    /// Lets the strips that wait at a half-edge enter its face.
-    fn cross(&mut self, front: &mut Wavefront, geometry: &ExactGeometry, halfedge: u32);
-
-    /// The face of a side's segment.
-    fn face(&self, side: u32) -> u32;
-
-    /// The weights of the place of a side's segment that is nearest to one of its face, which is laid out by its half-edge `k`.
-    fn foot(&self, frame: &Frame, k: usize, side: u32, place: [f64; 2]) -> [f64; 3];
-}
 
 /// Segments, and the strips that wait to enter a face by each of its half-edges.
 #[derive(Debug)]
@@ -48,7 +40,7 @@ pub(super) struct Segments {
     lost: Lost,
 }
 
-impl Lines for Segments {
+impl Lines<Wavefront> for Segments {
     fn cross(&mut self, front: &mut Wavefront, geometry: &ExactGeometry, halfedge: u32) {
         if self.waiting.is_empty(halfedge) {
             return;
@@ -100,6 +92,25 @@ impl Lines for Segments {
         let Segment { ends, .. } = self.all[(side / SIDES) as usize];
         let share = share(ends.map(|weights| frame.place(k, weights)), place).clamp(0.0, 1.0);
         std::array::from_fn(|corner| ends[0][corner] + share * (ends[1][corner] - ends[0][corner]))
+    }
+}
+
+impl Wavefront {
+    /// From segments of curves, with sources where these end.
+    ///
+    /// # Errors
+    /// [`Error::NotExact`](crate::Error::NotExact) where faces have different costs; [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub(crate) fn of_segments(
+        geometry: Arc<ExactGeometry>,
+        segments: Vec<Segment>,
+        sources: Vec<Source>,
+        targets: &[Place],
+    ) -> Result<Self> {
+        require_one_cost(&geometry)?;
+        let mut wavefront = Self::of_checked(geometry, sources, targets)?;
+        let segments = Segments::started(segments, &mut wavefront);
+        wavefront.lines = Some(Box::new(segments));
+        Ok(wavefront)
     }
 }
 

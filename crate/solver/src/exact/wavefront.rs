@@ -9,6 +9,7 @@ use std::sync::Arc;
 use super::crossing::Crossing;
 use super::fans::{Fans, Leaving};
 use super::geometry::{ExactGeometry, Frame, Side, after, before};
+use super::lines::Lines;
 use super::list::List;
 use super::lists::{HAS_BUNDLES, Lists};
 use super::origin::Origin;
@@ -16,7 +17,6 @@ use super::points::PointsInFaces;
 use super::portals::Portals;
 use super::queue::Buckets;
 use super::repeats::Repeats;
-use super::segments::{Lines, Segment, Segments};
 use super::targets::Targets;
 use super::window::{self, Beam, MARGIN, length};
 use crate::error::{Error, Result};
@@ -46,7 +46,7 @@ pub struct Wavefront {
     /// Windows that wait to enter a face by each of its half-edges.
     pub(super) waiting: Lists,
     /// Where it starts from lines, too.
-    pub(super) lines: Option<Box<dyn Lines>>,
+    pub(super) lines: Option<Box<dyn Lines<Self>>>,
     /// Half-edges, then vertices that paths can bend at, then ends of portals.
     pub(super) queue: Buckets,
     repeats: Repeats,
@@ -87,23 +87,6 @@ impl Wavefront {
         let place = |target: &T| Ok(target.to_point(&geometry.surface)?.place());
         let targets = targets.iter().map(place).collect::<Result<Vec<Place>>>()?;
         Self::of_checked(geometry, sources, &targets)
-    }
-
-    /// From segments of curves, with sources where these end.
-    ///
-    /// # Errors
-    /// [`Error::NotExact`] where faces have different costs; [`Error::OutOfMemory`].
-    pub(crate) fn of_segments(
-        geometry: Arc<ExactGeometry>,
-        segments: Vec<Segment>,
-        sources: Vec<Source>,
-        targets: &[Place],
-    ) -> Result<Self> {
-        require_one_cost(&geometry)?;
-        let mut wavefront = Self::of_checked(geometry, sources, targets)?;
-        let segments = Segments::started(segments, &mut wavefront);
-        wavefront.lines = Some(Box::new(segments));
-        Ok(wavefront)
     }
 
     /// # Errors
@@ -628,7 +611,7 @@ fn base(sources: &[Source]) -> f64 {
 }
 
 /// Refuses exact distances where no search finds them.
-fn require_one_cost(geometry: &ExactGeometry) -> Result<()> {
+pub(super) fn require_one_cost(geometry: &ExactGeometry) -> Result<()> {
     if geometry.costs().is_some() { Err(Error::NotExact) } else { Ok(()) }
 }
 
