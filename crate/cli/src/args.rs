@@ -14,7 +14,7 @@ use crate::curve::Curves;
 use crate::ground::Ground;
 use crate::method::{MethodOptions, Methods};
 use crate::options::{Linear, Options, choice, chosen};
-use crate::place::{Line, Place, PlacedVector, SourcePlace, vector};
+use crate::place::{Line, Place, PlacedVector, SourcePlace, WeightedPlace, vector};
 
 /// Geodesic distance and paths on meshes.
 #[derive(Parser)]
@@ -36,6 +36,8 @@ pub enum Command {
     Isolines(Isolines),
     /// Spread samples over a surface, each as far from those before it as may be
     Sample(Sample),
+    /// Where squared distances from weighted places sum to least
+    Mean(Mean),
     /// Walk straight on over the surface, from a place in a direction
     Walk(Walk),
     /// Directions and lengths of the shortest paths from a source to all vertices
@@ -253,6 +255,9 @@ pub struct Sample {
     /// As many as it takes until no vertex is farther than this from one; no two are nearer to each other
     #[arg(long, value_name = "R", group = "many", value_parser = positive, allow_negative_numbers = true)]
     pub radius: Option<f64>,
+    /// Then move the samples to the middles of what is nearest to each, for so many rounds; they need not be vertices any more
+    #[arg(long, value_name = "K", default_value_t = 0)]
+    pub relax: usize,
     /// Begin with a vertex at random, the same for the same number; without it with the first one
     #[arg(long, value_name = "S")]
     pub seed: Option<u64>,
@@ -261,6 +266,17 @@ pub struct Sample {
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub axis: UpAxis,
+}
+
+#[derive(Args)]
+pub struct Mean {
+    #[command(flatten)]
+    pub mesh: Mesh,
+    #[command(flatten)]
+    pub bridging: Bridging,
+    /// A vertex V or a place F:b0,b1,b2 in a triangle, with @W if it counts for W instead of 1; may be repeated
+    #[arg(long = "source", value_name = "P[@W]", required = true)]
+    pub sources: Vec<WeightedPlace>,
 }
 
 #[derive(Args)]
@@ -476,7 +492,7 @@ fn positive(text: &str) -> Result<f64, String> {
 /// The first paragraph of clap's message, on one line; the rest is its help.
 pub fn in_one_sentence(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "give a command: info, distance, path, isolines, sample, walk, log-map, transport, cells, fill or table; heatwalk --help tells more".to_owned();
+        return "give a command: info, distance, path, isolines, sample, mean, walk, log-map, transport, cells, fill or table; heatwalk --help tells more".to_owned();
     }
     let text = error.render().to_string();
     let paragraph = text.split("\n\n").next().unwrap_or_default();

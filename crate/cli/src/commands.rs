@@ -14,6 +14,7 @@ use crate::fill::fill;
 use crate::input::Input;
 use crate::isolines::isolines;
 use crate::log_map::log_map;
+use crate::mean::mean;
 use crate::path::path;
 use crate::report::Report;
 use crate::sample::sample;
@@ -32,6 +33,7 @@ pub fn run(command: &Command) -> Result<Answer> {
         Command::Cells(arguments) => cells(arguments).map(Answer::from),
         Command::Fill(arguments) => fill(arguments).map(Answer::from),
         Command::Sample(arguments) => sample(arguments).map(Answer::from),
+        Command::Mean(arguments) => mean(arguments).map(Answer::from),
         Command::Walk(arguments) => walk(arguments).map(Answer::from),
         Command::LogMap(arguments) => log_map(arguments).map(Answer::from),
         Command::Transport(arguments) => transport(arguments).map(Answer::from),

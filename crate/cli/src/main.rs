@@ -14,6 +14,7 @@ mod input;
 mod isolines;
 mod log_map;
 mod markdown;
+mod mean;
 mod method;
 mod options;
 mod output;

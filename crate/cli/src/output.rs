@@ -153,7 +153,7 @@ impl Output<PlacesCsv> {
     }
 
     /// Each by how it is written, and its position.
-    pub fn write(&self, places: impl Iterator<Item = (usize, DVec3)>, up: Up) -> Result<()> {
+    pub fn write(&self, places: impl Iterator<Item = (String, DVec3)>, up: Up) -> Result<()> {
         let mut text = String::from("place,x,y,z\n");
         for (place, position) in places {
             let DVec3 { x, y, z } = up.turned(position);

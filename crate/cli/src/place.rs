@@ -33,6 +33,13 @@ pub struct SourcePlace {
     pub initial_distance: f64,
 }
 
+/// A place and what it counts for, `P` or `P@W`.
+#[derive(Debug, Clone, Copy)]
+pub struct WeightedPlace {
+    pub place: Place,
+    pub weight: f64,
+}
+
 /// A vector at a place, `P:X,Y,Z`.
 #[derive(Debug, Clone, Copy)]
 pub struct PlacedVector {
@@ -90,6 +97,19 @@ impl FromStr for SourcePlace {
             }
             _ => Err("after @ give the distance that the source starts from, 0 or more, such as 12@0.5".to_owned()),
         }
+    }
+}
+
+impl FromStr for WeightedPlace {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let Some((place, weight)) = text.split_once('@') else {
+            return Ok(Self { place: text.parse()?, weight: 1.0 });
+        };
+        let weight = weight.parse().ok().filter(|&weight: &f64| weight > 0.0 && weight.is_finite());
+        let weight = weight.ok_or_else(|| "after @ give a positive weight, such as 12@0.5".to_owned())?;
+        Ok(Self { place: place.parse()?, weight })
     }
 }
 

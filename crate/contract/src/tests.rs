@@ -2,7 +2,7 @@ use std::fmt::Write as _;
 
 use heatwalk::{
     AUTOMATIC, Boundary, Choice, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, LinearSolver, MemoryLimit, Method,
-    MultiSource, Operator, PathKind, Stage, TimeStep, Up, VertexField, WINDOWS,
+    MultiSource, Operator, PathKind, Sign, Stage, TimeStep, Up, VertexField, WINDOWS,
 };
 
 use super::*;
@@ -34,6 +34,7 @@ fn the_page_has_the_names_and_ranges_of_the_solver() {
         said::<MultiSource>("MULTI_SOURCE"),
         said::<Operator>("OPERATOR"),
         said::<PathKind>("PATH_KIND"),
+        said::<Sign>("SIGN"),
         said::<Up>("UP"),
         said::<VertexField>("VERTEX_FIELD"),
     ];

@@ -67,6 +67,7 @@ mod extremum;
 mod footprint;
 pub mod gradient;
 pub mod heat;
+mod mean;
 pub mod operator;
 mod options;
 pub mod path;
@@ -99,6 +100,7 @@ pub use heatwalk_surface::{
     InputVertex, LengthUnit, Link, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId,
     SurfacePoint, ToPoint, ToSource, Unit, UnitRule, VertexData, VertexId, Walls, Warning, WarningCode, WeldRule,
 };
+pub use mean::{Mean, mean, relaxed};
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,
     Method, MultiSource, Operator, Parameters, PathKind, Sign, TRIANGLE_BYTES, TimeStep, Up, VertexField, WINDOWS,

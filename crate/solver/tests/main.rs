@@ -20,6 +20,7 @@ mod gradient;
 mod invariants;
 mod junctions;
 mod march;
+mod means;
 mod memory;
 mod metric;
 mod oracle;

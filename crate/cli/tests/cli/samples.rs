@@ -37,6 +37,39 @@ fn a_radius_is_kept_a_seed_gives_the_same_again_and_each_component_has_one() {
 }
 
 #[test]
+fn relaxed_samples_lie_in_the_middles_of_their_cells() {
+    let folder = folder("samples_relaxed");
+    let answer = answered(&folder, &["sample", "flat.ply", "--count", "1", "--relax", "30", "--output", "one.csv"]);
+    assert!((answer["covering_radius"].as_f64().unwrap() - 0.5_f64.sqrt()).abs() < 1e-6);
+    let csv = fs::read_to_string(folder.join("one.csv")).unwrap();
+    let numbers: Vec<f64> = csv.lines().nth(1).unwrap().rsplit(',').take(3).map(|cell| cell.parse().unwrap()).collect();
+    assert!((numbers[0] + 0.5).abs() < 1e-6 && (numbers[2] - 0.5).abs() < 1e-6, "{csv}");
+    let radius = |more: &[&str]| {
+        let answer = answered(&folder, &[&["sample", "torus.ply", "--count", "12"], more].concat());
+        answer["covering_radius"].as_f64().unwrap()
+    };
+    assert!(radius(&["--relax", "20"]) < radius(&[]));
+}
+
+#[test]
+fn the_mean_of_places_of_a_square_is_theirs_in_the_plane() {
+    let folder = folder("mean");
+    let answer = answered(&folder, &["mean", "flat.ply", "--source", "0", "--source", "80@3", "--source", "8"]);
+    let position: Vec<f64> = answer["position"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    assert!((position[0] - 0.6).abs() < 1e-9 && (position[2] + 0.8).abs() < 1e-9, "{position:?}");
+    let place = answer["place"].as_str().unwrap();
+    assert!(
+        answered(&folder, &["walk", "flat.ply", "--from", place, "--direction", "1,0,0", "--length", "0.1"])
+            .is_object()
+    );
+    let asked = |more: &[&str]| refused(&folder, &[&["mean", "flat.ply"], more].concat());
+    assert!(asked(&[]).contains("--source"));
+    assert!(asked(&["--source", "1@-1"]).contains("positive weight"));
+    assert!(asked(&["--source", "99"]).contains("99"));
+    assert!(refused(&folder, &["mean", "two.obj", "--source", "0", "--source", "4"]).contains("reach"));
+}
+
+#[test]
 fn refuses_what_is_no_number_of_samples() {
     let folder = folder("samples_refused");
     let asked = |more: &[&str]| refused(&folder, &[&["sample", "flat.ply"], more].concat());

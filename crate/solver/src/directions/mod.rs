@@ -21,7 +21,11 @@ use crate::error::Result;
 use crate::exact::{ExactGeometry, WORK_BETWEEN_CALLS, Wavefront};
 
 /// The search from sources, at its end.
-fn searched<S: ToSource>(geometry: &Arc<ExactGeometry>, sources: &[S], progress: Progress<'_>) -> Result<Wavefront> {
+pub(crate) fn searched<S: ToSource>(
+    geometry: &Arc<ExactGeometry>,
+    sources: &[S],
+    progress: Progress<'_>,
+) -> Result<Wavefront> {
     let mut front = Wavefront::new(Arc::clone(geometry), sources)?;
     while !front.advance(f64::INFINITY, WORK_BETWEEN_CALLS)? {
         report(progress, Stage::Searching { radius: front.radius() }, 0.0)?;
