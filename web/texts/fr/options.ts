@@ -92,6 +92,7 @@ export const OPTIONS: Texts = {
   'given by two different places or more': 'donnée par deux points différents ou plus',
   'the direction': 'la direction',
   'the vector': 'le vecteur',
+  'the weight': 'le poids',
   'the source': 'la source',
   'at vertex {0}': 'au sommet {0}',
   'on the edge of vertices {0} and {1}': 'sur l’arête des sommets {0} et {1}',
