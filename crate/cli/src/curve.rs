@@ -3,18 +3,20 @@
 use std::fs;
 use std::path::PathBuf;
 use std::str::FromStr;
+use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
+use heatwalk::exact::ExactGeometry;
 use heatwalk::{
-    Choice, Curve, DistanceOptions, DistanceSolver, Method, Sign, SignedDistance, Soup, Surface, SurfacePoint,
-    VertexData, curve_distance, go_on, signed_curve_distance,
+    Choice, Curve, DistanceOptions, DistanceSolver, Method, Place, Sign, SignedDistance, Soup, Surface, SurfacePoint,
+    VertexData, curve_distance, curve_search, go_on, signed_curve_distance, signed_curve_distance_at,
 };
 use serde_json::Value;
 
 use crate::options::{choice, chosen};
-use crate::place::Place;
+use crate::place::Place as Written;
 use crate::report::milliseconds;
 
 /// What stands for all boundaries of a surface.
@@ -42,7 +44,7 @@ pub struct Curves {
 #[derive(Debug, Clone)]
 pub enum Course {
     Boundary,
-    Through { places: Vec<Place>, is_closed: bool },
+    Through { places: Vec<Written>, is_closed: bool },
 }
 
 impl FromStr for Course {
@@ -57,7 +59,7 @@ impl FromStr for Course {
         if is_closed {
             places.pop();
         }
-        let places: Result<Vec<Place>, String> = places.into_iter().map(str::parse).collect();
+        let places: Result<Vec<Written>, String> = places.into_iter().map(str::parse).collect();
         let places = places.ok().filter(|places| !places.is_empty());
         let places = places.ok_or_else(|| {
             "give places apart by blanks, such as \"12 5:0.2,0.3,0.5 40\", or boundary for all boundaries".to_owned()
@@ -94,7 +96,8 @@ pub struct Found {
     /// Milliseconds that they took without the curves.
     pub solve_ms: f64,
     length: f64,
-    count: usize,
+    curves: Vec<Curve>,
+    geometry: Arc<ExactGeometry>,
 }
 
 impl Curves {
@@ -137,28 +140,39 @@ impl Curves {
                 bail!("{}: there is no curve; write the places of each on a line", file.display());
             }
         }
-        let geometry = solver.exact_geometry();
+        let geometry = Arc::clone(solver.exact_geometry());
         let start = Instant::now();
         let (values, sign) = if self.signed {
-            let SignedDistance { values, sign } = signed_curve_distance(geometry, &curves, self.sign, &mut go_on)?;
+            let SignedDistance { values, sign } = signed_curve_distance(&geometry, &curves, self.sign, &mut go_on)?;
             (values, Some(sign))
         } else {
-            (curve_distance(geometry, &curves, &mut go_on)?, None)
+            (curve_distance(&geometry, &curves, &mut go_on)?, None)
         };
         let solve_ms = milliseconds(start);
         let lengths = curves.iter().map(|curve| curve.length(geometry.surface()));
         let length = lengths.sum::<heatwalk::Result<f64>>()?;
-        Ok(Found { values, sign, solve_ms, length, count: curves.len() })
+        Ok(Found { values, sign, solve_ms, length, curves, geometry })
     }
 }
 
 impl Found {
+    /// Distances at places of the surface, with the sign, if they have one.
+    pub fn at(&self, places: &[Place]) -> heatwalk::Result<Vec<f64>> {
+        if let Some(sign) = self.sign {
+            let (_, distances) = signed_curve_distance_at(&self.geometry, &self.curves, places, sign, &mut go_on)?;
+            return Ok(distances);
+        }
+        let mut front = curve_search(&self.geometry, &self.curves, places)?;
+        while !front.advance(f64::INFINITY, usize::MAX)? {}
+        Ok(front.target_values().to_vec())
+    }
+
     /// What is to be told, of the values `of_inputs`.
     pub fn facts(&self, of_inputs: &[f64]) -> Vec<(&'static str, Value)> {
         let finite = || of_inputs.iter().copied().filter(|value| value.is_finite());
         let mut facts = vec![
             ("method", Method::Exact.name().into()),
-            ("curves_given", self.count.into()),
+            ("curves_given", self.curves.len().into()),
             ("curve_length", self.length.into()),
             ("max_distance", finite().fold(f64::NEG_INFINITY, f64::max).into()),
         ];

@@ -4,12 +4,12 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Result, bail};
 use glam::DVec3;
-use heatwalk::exact::PlaceDistances;
 use heatwalk::{Answer, Error, FaceId, Place, Surface, Unit, VertexData, go_on};
 use heatwalk_curves::{Field, Isolines, Levels, Places, Refined, Sheet, Strips, TRUE_TO, write};
 use serde_json::json;
 
 use crate::args;
+use crate::curve::Found;
 use crate::distance::facts;
 use crate::output::{CurveFormat, Output, SheetFormat};
 use crate::question::{Posed, pose};
@@ -35,7 +35,8 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
         let found = question.curves.distances(&input.model.soup, &mut prepared.solver, question.closed)?;
         let values = prepared.solver.surface().to_inputs(&found.values, f64::INFINITY);
         let told = found.facts(&values);
-        (Asked::Curves(found.values), told, found.solve_ms)
+        let solve_ms = found.solve_ms;
+        (Asked::Curves(found), told, solve_ms)
     } else {
         let start = Instant::now();
         let answer = prepared.solver.distance(&sources, &options, &mut go_on)?;
@@ -47,23 +48,35 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     let start = Instant::now();
     let surface = prepared.solver.surface();
     let positions = surface.positions().iter().map(|&position| arguments.axis.up.turned(position)).collect();
-    let triangles = surface.faces().ids().filter(|&face| asked.is_continuous_on(surface, face));
-    let triangles = triangles.map(|face| surface.faces()[face].map(|vertex| vertex.0)).collect();
+    let faces: Vec<FaceId> = surface.faces().ids().filter(|&face| asked.is_continuous_on(surface, face)).collect();
+    let triangles = faces.iter().map(|&face| surface.faces()[face].map(|vertex| vertex.0)).collect();
     let field = Field::new(positions, triangles, asked.values().iter().copied().collect())?;
     let levels = match (arguments.spacing, arguments.count) {
         (Some(spacing), _) => Levels::spaced(spacing, field.largest())?,
         (_, Some(count)) => Levels::counted(count, field.largest())?,
         (None, None) => Levels::at(&arguments.values)?,
     };
-    let places = match &asked {
-        Asked::Sources(answer) => prepared.solver.place_distances(answer),
-        Asked::Curves(_) => Ok(None),
+    let in_time = |places: &Places| {
+        let place = |(&triangle, &weights): (&u32, &[f64; 3])| Place::Face { face: faces[triangle as usize], weights };
+        let is_late = start.elapsed() > MOST_TIME;
+        (!is_late).then(|| places.triangles.iter().zip(&places.weights).map(place).collect::<Vec<Place>>())
     };
-    let Refined { field, is_true } = match places {
-        Ok(Some(distances)) => field.refined(&levels, |places| distances_at(&distances, places, start))?,
-        Ok(None) | Err(Error::NotExact) => Refined { field, is_true: false },
-        Err(error) => return Err(error.into()),
+    let refined = match &asked {
+        Asked::Curves(found) => {
+            Some(field.refined(&levels, |places| in_time(places).map(|places| found.at(&places)).transpose()))
+        }
+        Asked::Sources(answer) => match prepared.solver.place_distances(answer) {
+            Ok(distances) => distances.map(|distances| {
+                field.refined(&levels, |places| {
+                    let at = |places: Vec<Place>| places.into_iter().map(|place| distances.at(place)).collect();
+                    in_time(places).map(at).transpose()
+                })
+            }),
+            Err(Error::NotExact) => None,
+            Err(error) => return Err(error.into()),
+        },
     };
+    let Refined { field, is_true } = refined.transpose()?.unwrap_or(Refined { field, is_true: false });
     let isolines = Isolines::trace(&field, &levels);
     let isolines_ms = milliseconds(start);
     if let Some(output) = output {
@@ -106,21 +119,20 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
 /// What isolines are of.
 enum Asked {
     Sources(Answer),
-    /// `#V`.
-    Curves(VertexData<f64>),
+    Curves(Found),
 }
 
 impl Asked {
     fn values(&self) -> &VertexData<f64> {
         match self {
             Self::Sources(answer) => &answer.distance.values,
-            Self::Curves(values) => values,
+            Self::Curves(found) => &found.values,
         }
     }
 
     /// Whether distance does not jump from positive to negative on a face, as it does beyond the ends of curves with a sign.
     fn is_continuous_on(&self, surface: &Surface, face: FaceId) -> bool {
-        let Self::Curves(values) = self else { return true };
+        let Self::Curves(Found { values, .. }) = self else { return true };
         let (corners, vertices) = (surface.corners(face), surface.faces()[face]);
         [(0, 1), (1, 2), (2, 0)].into_iter().all(|(a, b)| {
             let change = (values[vertices[a]] - values[vertices[b]]).abs();
@@ -128,15 +140,6 @@ impl Asked {
             !is_reached || change <= corners[a].distance(corners[b]) * (1.0 + JUMP)
         })
     }
-}
-
-/// The distances at places, unless there is no more time.
-fn distances_at(distances: &PlaceDistances<'_>, places: &Places, start: Instant) -> Result<Option<Vec<f64>>> {
-    if start.elapsed() > MOST_TIME {
-        return Ok(None);
-    }
-    let at = |(&face, &weights): (&u32, &[f64; 3])| distances.at(Place::Face { face: FaceId(face), weights });
-    Ok(Some(places.triangles.iter().zip(&places.weights).map(at).collect::<heatwalk::Result<_>>()?))
 }
 
 /// The file, and the strips that are left out of it since they are curved.

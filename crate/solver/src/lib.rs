@@ -87,7 +87,9 @@ pub use accuracy::RelativeError;
 pub use cells::{Cells, cells};
 pub use choice::{Choice, UnknownChoice};
 pub use cost::{Costs, tobler};
-pub use curve::{Curve, Line, SignedDistance, curve_distance, curve_search, signed_curve_distance};
+pub use curve::{
+    Curve, Line, SignedDistance, curve_distance, curve_search, signed_curve_distance, signed_curve_distance_at,
+};
 pub use dijkstra::{edge_path, edge_polyline};
 pub use directions::{LogMap, log_map, transport};
 pub use distance::{Distance, PortalCrossing};

@@ -12,7 +12,7 @@ use glam::{DVec2, DVec3, dvec2};
 use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance};
 use heatwalk::{
     Costs, Curve, Element, Error, FaceId, Line, Place, Sign, Soup, Source, Surface, VertexData, VertexId,
-    curve_distance, curve_search, go_on, signed_curve_distance,
+    curve_distance, curve_search, go_on, signed_curve_distance, signed_curve_distance_at,
 };
 use heatwalk_shapes as shapes;
 
@@ -335,4 +335,25 @@ fn what_is_no_curve_is_refused() {
     let costs = Costs::new(&surface, costs.into()).expect("costs");
     let weighted = Arc::new(ExactGeometry::new(Arc::clone(&surface)).weighted(&costs));
     assert!(matches!(curve_distance(&weighted, &[curve], &mut go_on), Err(Error::NotExact)));
+}
+
+#[test]
+fn places_have_the_distance_of_vertices_with_their_sign() {
+    let mut random = Random::new(21);
+    let soup = plane(10, 0.2);
+    let (surface, geometry) = laid_out(&soup);
+    let points = star(&mut random, 7);
+    let corners: Vec<Place> = points.iter().map(|&point| place_at(&surface, point)).collect();
+    let curve = through(&geometry, &corners, true);
+    let places = some_places(&soup, &mut random, 200);
+    for sign in [Sign::Nearest, Sign::Heat] {
+        let (found, at) =
+            signed_curve_distance_at(&geometry, from_ref(&curve), &places, sign, &mut go_on).expect("distances");
+        assert_eq!(found.sign, sign);
+        for (place, found) in places.iter().zip(at) {
+            let (right, is_left) = to_polygon(&points, true, place.position(&surface).truncate());
+            let right = if is_left { -right } else { right };
+            assert!((found - right).abs() < ROUNDING, "{found} for {right} at {place:?}");
+        }
+    }
 }

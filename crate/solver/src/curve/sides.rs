@@ -1,6 +1,7 @@
 //! On which side of curves vertices are: that from which they see the nearest point.
 
 use std::f64::consts::{PI, TAU};
+use std::ops::Range;
 
 use heatwalk_surface::Place;
 
@@ -31,12 +32,13 @@ pub(super) struct Side {
     pub is_end: bool,
 }
 
-/// That of each vertex (`#V`), as the search from the curves has found; `joints` are its sources.
-pub(super) fn sides(front: &Wavefront, joints: &[Joint]) -> Result<Vec<Side>> {
+/// That of each vertex (`#V`), and of each target, as the search from the curves has found; `joints` are its sources.
+pub(super) fn sides(front: &Wavefront, joints: &[Joint]) -> Result<[Vec<Side>; 2]> {
     let inside = |is_left: bool| Side { is_left, is_end: false };
     let mut legs = Legs::new(front)?;
     let mut angles: Vec<Option<Angles>> = joints.iter().map(|_| None).collect();
-    let count = front.values().len() + front.end_values().len();
+    let before_targets = front.values().len() + front.end_values().len();
+    let count = before_targets + front.target_values().len();
     let mut known: Vec<Option<Side>> = vec![None; count];
     let mut open = Vec::new();
     for stop in 0..count {
@@ -69,8 +71,8 @@ pub(super) fn sides(front: &Wavefront, joints: &[Joint]) -> Result<Vec<Side>> {
             }
         }
     }
-    known.truncate(front.values().len());
-    Ok(known.into_iter().map(|side| side.unwrap_or(inside(false))).collect())
+    let of = |range: Range<usize>| known[range].iter().map(|side| side.unwrap_or(inside(false))).collect();
+    Ok([of(0..front.values().len()), of(before_targets..count)])
 }
 
 /// The directions of lines at a joint.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use heatwalk_sparse::Progress;
-use heatwalk_surface::{Element, FaceId, Place, Surface, VertexData};
+use heatwalk_surface::{Element, FaceId, Place, Surface, ToPoint, VertexData};
 
 use super::Curve;
 use super::distance::{Ends, curve_search, searched};
@@ -37,7 +37,25 @@ pub fn signed_curve_distance(
     sign: Sign,
     progress: Progress<'_>,
 ) -> Result<SignedDistance> {
-    let front = searched(curve_search(geometry, curves, &[] as &[Place])?, progress)?;
+    signed_curve_distance_at(geometry, curves, &[] as &[Place], sign, progress).map(|(distance, _)| distance)
+}
+
+/// The same, with the distances of further places.
+///
+/// By heat, what is beyond a mean edge has the sign that the values of the vertices around have in the mean.
+///
+/// # Errors
+/// As [`signed_curve_distance`]; those of [`ToPoint::to_point`].
+pub fn signed_curve_distance_at<P: ToPoint>(
+    geometry: &Arc<ExactGeometry>,
+    curves: &[Curve],
+    places: &[P],
+    sign: Sign,
+    progress: Progress<'_>,
+) -> Result<(SignedDistance, Vec<f64>)> {
+    let surface = geometry.surface();
+    let places = places.iter().map(|place| Ok(place.to_point(surface)?.place())).collect::<Result<Vec<Place>>>()?;
+    let front = searched(curve_search(geometry, curves, &places)?, progress)?;
     let Ends { joints, segments, .. } = Ends::of(geometry, curves)?;
     let near = match sides(&front, &joints) {
         Err(Error::BadParameter { .. }) if sign != Sign::Nearest => None,
@@ -45,25 +63,35 @@ pub fn signed_curve_distance(
     };
     let is_simple = || joints.iter().all(|joint| joint.is_passed_once()) && !cross(geometry, &segments);
     let by_nearest = near.as_ref().filter(|_| sign == Sign::Nearest || (sign == Sign::Auto && is_simple()));
-    let values = front.values();
-    let (is_left, sign): (Vec<bool>, Sign) = match by_nearest {
-        Some(near) => (near.iter().map(|side| side.is_left).collect(), Sign::Nearest),
-        None => {
-            let near = near.map_or_else(|| vec![None; values.len()], |near| near.into_iter().map(Some).collect());
-            let known = beside(geometry.surface(), &segments, values, &near);
-            let lines = curves.iter().flat_map(Curve::lines).map(|line| (line.face, line.ends));
-            let heat = VectorHeat::new(geometry.surface(), progress)?.signed_distance(lines, &known, progress)?;
-            let close = geometry.surface().mean_edge();
-            let is_left = |((&value, &heat), near): ((&f64, &f64), Option<Side>)| match near {
-                Some(side) if heat.is_nan() || (value <= close && !side.is_end) => side.is_left,
-                _ => heat < 0.0,
-            };
-            (values.iter().zip(&heat).zip(near).map(is_left).collect(), Sign::Heat)
-        }
+    let (values, targets) = (front.values(), front.target_values());
+    if let Some([near, of_targets]) = by_nearest {
+        let of = |(&value, side): (&f64, &Side)| signed(value, side.is_left);
+        let values = values.iter().zip(near).map(of).collect();
+        let targets = targets.iter().zip(of_targets).map(of).collect();
+        return Ok((SignedDistance { values, sign: Sign::Nearest }, targets));
+    }
+    let unknown = || [vec![None; values.len()], vec![None; targets.len()]];
+    let [near, of_targets] = near.map_or_else(unknown, |near| near.map(|sides| sides.into_iter().map(Some).collect()));
+    let known = beside(surface, &segments, values, &near);
+    let lines = curves.iter().flat_map(Curve::lines).map(|line| (line.face, line.ends));
+    let heat = VectorHeat::new(surface, progress)?.signed_distance(lines, &known, progress)?;
+    let close = surface.mean_edge();
+    let of = |value: f64, side: Option<Side>, heat: f64| match side {
+        Some(side) if heat.is_nan() || (value <= close && !side.is_end) => signed(value, side.is_left),
+        _ => signed(value, heat < 0.0),
     };
-    let signed =
-        |(&value, is_left): (&f64, bool)| if is_left && value.is_finite() && value > 0.0 { -value } else { value };
-    Ok(SignedDistance { values: values.iter().zip(is_left).map(signed).collect(), sign })
+    let of_vertex = |((&value, &heat), side): ((&f64, &f64), Option<Side>)| of(value, side, heat);
+    let of_target =
+        |((&value, place), side): ((&f64, &Place), Option<Side>)| of(value, side, place.interpolate(surface, &heat));
+    let targets = targets.iter().zip(&places).zip(of_targets).map(of_target).collect();
+    Ok((
+        SignedDistance { values: values.iter().zip(&heat).zip(near).map(of_vertex).collect(), sign: Sign::Heat },
+        targets,
+    ))
+}
+
+fn signed(value: f64, is_left: bool) -> f64 {
+    if is_left && value.is_finite() && value > 0.0 { -value } else { value }
 }
 
 /// The distances of vertices of the faces that curves lead through, but of those that see an open end.

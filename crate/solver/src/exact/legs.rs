@@ -167,16 +167,24 @@ impl Wavefront {
         }
     }
 
-    /// What the distance of a vertex, or of the end of a portal (`#V` + its number), starts from.
+    /// What the distance of a vertex, of the end of a portal (`#V` + its number), or of a target (after these) starts from.
     pub(crate) fn root_of_stop(&self, stop: usize) -> Option<Root> {
-        let origin = match stop.checked_sub(self.values.len()) {
-            None => self.origins[stop],
-            Some(end) => self.ends.origins[end],
-        };
-        match origin {
+        match self.stop(stop).2 {
             Origin::None | Origin::Portal => None,
             Origin::Straight { root, .. } | Origin::Window { root, .. } => Some(self.root(root)),
         }
+    }
+
+    /// Where that is, its distance, and where this comes from.
+    fn stop(&self, stop: usize) -> (Place, f64, Origin) {
+        let Some(other) = stop.checked_sub(self.values.len()) else {
+            return (Place::Vertex(VertexId::from_index(stop)), self.values.as_slice()[stop], self.origins[stop]);
+        };
+        let (points, number) = match other.checked_sub(self.ends.values.len()) {
+            None => (&self.ends, other),
+            Some(target) => (&self.targets, target),
+        };
+        (self.geometry.settled(points.locations[number]), points.values[number], points.origins[number])
     }
 }
 
@@ -208,15 +216,10 @@ impl<'a> Legs<'a> {
         Ok(Self { front, strips, steps: Vec::new(), open: Vec::new() })
     }
 
-    /// That of a vertex or of the end of a portal; none where it has no distance.
+    /// That of a vertex, the end of a portal or a target, by [its number](Wavefront::root_of_stop); none where it has no distance.
     pub fn of(&mut self, stop: usize) -> Option<Leg> {
         let front = self.front;
-        let (place, value, origin) = match stop.checked_sub(front.values.len()) {
-            None => (Place::Vertex(VertexId::from_index(stop)), front.values.as_slice()[stop], front.origins[stop]),
-            Some(end) => {
-                (front.geometry.settled(front.ends.locations[end]), front.ends.values[end], front.ends.origins[end])
-            }
-        };
+        let (place, value, origin) = front.stop(stop);
         match origin {
             Origin::None | Origin::Portal => None,
             Origin::Straight { face, root } => self.straight(place, face, root),
