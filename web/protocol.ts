@@ -5,7 +5,7 @@
  * said to be as they are drawn: see `DrawTransform`.
  */
 
-import type { LengthUnit, ModelLength, ModelVolume, WithLengths } from './length';
+import type { LengthUnit, ModelArea, ModelLength, ModelVolume, WithLengths } from './length';
 import type { Parameters, PathKind, Stage } from './wasm/contract';
 import type * as curves from './wasm/curves/heatwalk_curves';
 import type * as interior from './wasm/interior/heatwalk_interior';
@@ -313,6 +313,36 @@ export interface CurveFile {
   towardEye: readonly [number, number, number];
   /** That of all lengths in it. */
   unit: LengthUnit;
+}
+
+/** Which cells are wanted: of what sources, on what surface. */
+export interface CellWish {
+  /** Tells surfaces apart, by whatever distance depends on besides the sources. */
+  surface: number;
+  /** Tells questions apart: the next call with the same number goes on. */
+  question: number;
+  /** The rule by which components are joined, and the number of links. */
+  bridge: string;
+  links: number;
+  /** #S and #S × 3: the places of the sources, drawn triangles and weights of their corners. */
+  places: TrianglePlaces;
+  /** #S: initial distances, in the unit of the file. */
+  initial: Float64Array;
+  /** #S: the cell of each source. */
+  cells: Uint32Array;
+  count: number;
+}
+
+/** Cells that were found. */
+export interface FoundCells {
+  /** One a cell. */
+  areas: readonly ModelArea[];
+  /** #segments × 2 × 3: the ends of the segments of all borders, as they are drawn. */
+  ends: Float32Array;
+  /** #T × 2: of the drawn triangles, divided along borders, the cell of each part and the triangle. */
+  tiles: Uint32Array;
+  /** #T × 3 × 3: the weights of their corners there. */
+  corners: Float32Array;
 }
 
 /** A plane, in the unit and the axes of the file: where a point times `normal`, which has length 1, is `offset`. */

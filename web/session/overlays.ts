@@ -11,6 +11,7 @@ import {
   type VertexField,
 } from '../wasm/contract';
 import { type Edges, rimmed } from '../view/layers';
+import type { Cells } from './cells';
 import { drawnIsolines } from './isolines';
 import type { Session } from './session';
 
@@ -33,6 +34,8 @@ export class Overlays {
   /** Whether edges are to be asked for, also where the wish that said so was overtaken. */
   #needsEdges = true;
   #latest: Promise<void> = Promise.resolve();
+  /** Once they were wanted. */
+  #cells: Cells | undefined;
 
   constructor(session: Session) {
     this.#session = session;
@@ -88,6 +91,8 @@ export class Overlays {
         const ends = await engine.queries.isolineEnds(isolines);
         edges?.push(...rimmed({ ...ISOLINES, ends }, RIMS));
       }
+      if (overlays.includes('cells')) this.#cells ??= new (await import('./cells')).Cells(session);
+      const cells = this.#cells?.follow();
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await this.#arrowsOf(engine, kind, field) : new Float32Array();
       const other = colorBy === 'distance' || !field ? null : await instead(engine, colorBy, field);
@@ -98,6 +103,7 @@ export class Overlays {
       }
       view.setArrows(arrows);
       session.paint(other);
+      await cells;
     } catch (error) {
       // The answer by another method asks again.
       if (wish === this.#wish && method === session.scene.state.method) session.fail(error);

@@ -1,6 +1,6 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
 import { Failure, isUnsolved, toError } from '../error';
-import type { Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
+import type { FoundCells, Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
 import { type Answer, type Engine, isFieldOf, isSameMoment, type Question } from '../solver/engine';
 import { Refiner } from '../solver/refiner';
@@ -84,6 +84,8 @@ export class Session {
   readonly preview = new Signal<Preview | null>(null);
   /** A question to the solver failed, or the worker that holds the mesh was lost. */
   readonly failure = new Signal<Error | null>(null);
+  /** What is nearest to each source, where that is shown. */
+  readonly cells = new Signal<FoundCells | null>(null);
   /** The pose that the mesh on screen is shown in; null: that of its file. */
   readonly pose = new Signal<Moment | null>(null);
   readonly animator: Animator;

@@ -92,7 +92,7 @@ export function hasCosts(ground: Ground): boolean {
 }
 
 /** The cost of the first triangle that is no wall. */
-function openCost({ faces }: Ground): number {
+export function openCost({ faces }: Ground): number {
   return costOf(faces.find((code) => !isWall(code)) ?? EVEN);
 }
 

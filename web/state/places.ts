@@ -73,7 +73,12 @@ export class Places {
     return { corners: vectorAt(triangles, point.face), weights: point.weights };
   }
 
-  /** `#D × 3`, where drawn vertices are. */
+  /** Drawn vertices in the pose that is shown. */
+  get drawn(): DrawPose {
+    return this.#pose;
+  }
+
+  /** `#D × 3`, where they are. */
   get positions(): Float32Array {
     return this.#pose.positions;
   }

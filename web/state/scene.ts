@@ -31,12 +31,13 @@ export const OVERLAYS = [
   'contacts',
   'operator',
   'isolines',
+  'cells',
   'heat',
   'distance',
 ] as const;
 /**
  * The inactive parts; edges of the mesh, boundary edges, places where components meet, edges of the operator's triangles;
- * curves of equal distance at the period of the stripes;
+ * curves of equal distance at the period of the stripes; what is nearest to each source;
  * arrows along the gradients of heat and of distance.
  */
 export type Overlay = (typeof OVERLAYS)[number];

@@ -1,5 +1,5 @@
 /** What a picture is made of, and the order in which the renderer needs it. */
-import type { Appearance, DistanceField, InnerView } from '../protocol';
+import type { Appearance, DistanceField, DrawMesh, InnerView, Material } from '../protocol';
 import type { Viewer } from '../wasm/viewer-webgpu/heatwalk_viewer_webgpu.js';
 
 /** What is painted: values of drawn vertices and where they grow, as in a `DistanceField`. */
@@ -27,13 +27,24 @@ export function rimmed(line: Required<Edges>, share = 1): Edges[] {
   ];
 }
 
-/** What lines are shown for, in the order in which they are drawn: overlays, walls and sets of sources, the other path, girths, tapes. */
-export const EDGE_GROUPS = ['overlays', 'lines', 'path', 'girth', 'tapes'] as const;
+/** What lines are shown for, in the order in which they are drawn: overlays, borders of cells, walls and sets of sources, the other path, girths, tapes. */
+export const EDGE_GROUPS = ['overlays', 'cells', 'lines', 'path', 'girth', 'tapes'] as const;
 export type EdgeGroup = (typeof EDGE_GROUPS)[number];
-export const NO_EDGES: Picture['edges'] = { overlays: [], lines: [], path: [], girth: [], tapes: [] };
+export const NO_EDGES: Picture['edges'] = { overlays: [], cells: [], lines: [], path: [], girth: [], tapes: [] };
 
 /** What has places on the surface, or values of its vertices. */
-const ON_SURFACE = ['field', 'inside', 'otherInside', 'pins', 'path', 'walker', 'crowd', 'arrows', 'edges'] as const;
+const ON_SURFACE = [
+  'field',
+  'patches',
+  'inside',
+  'otherInside',
+  'pins',
+  'path',
+  'walker',
+  'crowd',
+  'arrows',
+  'edges',
+] as const;
 /** The order in which the parts of a picture must be given: the surface clears what depends on it. */
 export const ORDER = [
   'background',
@@ -56,6 +67,12 @@ export const CLEARED_BY_SURFACE: readonly Layer[] = ['pose', 'ground', ...ON_SUR
 export const WITH_FRAME: ReadonlySet<Layer> = new Set(['offset', 'field', 'pins', 'path', 'walker', 'crowd', 'arrows']);
 /** What a preview has from the scene that it stands before. */
 export const COMMON: ReadonlySet<Layer> = new Set(['background', 'spin']);
+
+/** What lies on the surface, in materials of its own. */
+export interface Patches {
+  mesh: Omit<DrawMesh, 'order' | 'boxes'>;
+  materials: Material[];
+}
 
 export interface Fields {
   field: ShownField | null;

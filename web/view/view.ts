@@ -30,6 +30,7 @@ import {
   NO_FIELDS,
   NO_MESH,
   ORDER,
+  type Patches,
   type Picture,
   type ShownField,
   THIN,
@@ -138,6 +139,13 @@ export class View extends Screen {
 
   setScenery(parts: readonly DrawMesh[]): void {
     this.#show('scenery', (viewer) => viewer.set_scenery([...parts]));
+  }
+
+  /** Lays something on the surface, through which it is seen; null: nothing. */
+  setPatches(patches: Patches | null): void {
+    if (!patches && !this.#picture.layers.has('patches')) return;
+    const { mesh, materials } = patches ?? { mesh: {}, materials: [] };
+    this.#show('patches', (viewer) => viewer.set_patches({ ...NO_MESH, ...mesh }, materials, []));
   }
 
   /**

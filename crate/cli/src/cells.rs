@@ -4,8 +4,7 @@ use std::time::Instant;
 
 use anyhow::{Result, bail};
 use glam::DVec3;
-use heatwalk::exact::PlaceDistances;
-use heatwalk::{Cells as Found, FaceId, Place, Source, Surface, Unit, Up, VertexData, cells as found, go_on};
+use heatwalk::{Cells as Found, FaceId, Source, Surface, Unit, Up, VertexData, cell_map, cells as found, go_on};
 use heatwalk_curves::{Borders, Field, Isolines, write};
 use serde_json::json;
 
@@ -29,19 +28,25 @@ pub fn cells(arguments: &Cells) -> Result<String> {
     let sources = on_surface.collect::<Result<Vec<Source>>>()?;
     let start = Instant::now();
     let geometry = solver.exact_geometry();
-    let cells = found(geometry, &sources, &mut go_on)?;
+    let surface = geometry.surface();
+    let has_borders = arguments.areas || borders.is_some();
+    let (cells, map) = if has_borders {
+        let map = cell_map(geometry, &sources, &mut go_on)?;
+        (map.cells.clone(), Some(map))
+    } else {
+        (found(geometry, &sources, &mut go_on)?, None)
+    };
     let cells_ms = milliseconds(start);
 
-    let surface = geometry.surface();
     let mut borders_ms = 0.0;
-    if arguments.areas || borders.is_some() {
+    if let Some(map) = map {
         let start = Instant::now();
         let field = field(surface, &cells, arguments.axis.up)?;
         let nearest: Vec<Option<u32>> = cells.nearest.iter().copied().collect();
-        let distances = PlaceDistances::new(geometry, &cells.distances, &sources)?;
-        let traced = Borders::trace(&field, (&nearest, sources.len()), |face, weights| {
-            cells.at(&distances, Place::Face { face: FaceId(face), weights })
-        })?;
+        let starts: Vec<u32> =
+            sources.iter().flat_map(|source| source.place().faces(surface)).map(|face| face.0).collect();
+        let traced =
+            Borders::trace(&field, (&nearest, sources.len()), &starts, |face, weights| map.at(FaceId(face), weights))?;
         borders_ms = milliseconds(start);
         let length = traced.curves.isolines.iter().fold(0.0, |sum, border| sum + border.length);
         report.push("border_length", length);

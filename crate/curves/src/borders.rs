@@ -35,6 +35,19 @@ pub struct Borders {
     pub curves: Isolines,
     /// The area of each cell, in the square of the unit of positions.
     pub areas: Vec<f64>,
+    /// The surface divided along the borders, without what no source reaches.
+    pub tiles: Vec<Tile>,
+}
+
+/// A triangle within one cell: of the surface, or a part of one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tile {
+    /// The number of the source.
+    pub cell: u32,
+    /// The triangle of the surface.
+    pub triangle: u32,
+    /// The weights of the corners there, in its orientation.
+    pub corners: [[f64; 3]; 3],
 }
 
 /// A triangle of the surface, or a part of one.
@@ -42,6 +55,8 @@ pub struct Borders {
 struct Part {
     corners: [u32; 3],
     origin: u32,
+    /// Whether there is a source in the triangle.
+    has_start: bool,
 }
 
 /// Where pieces of borders meet.
@@ -74,12 +89,14 @@ struct Tracing<F> {
     crossings: HashMap<[u32; 2], f64>,
     pieces: Vec<Piece>,
     areas: Vec<f64>,
+    tiles: Vec<Tile>,
     ask: F,
 }
 
 impl Borders {
     /// `nearest`: the number of the source that is nearest to each vertex, below `cells`, or none. `ask` gives that of a place: a
-    /// triangle, and weights of its corners. Cells that are narrower than a hundredth of the diagonal and have no vertex may be missed.
+    /// triangle, and weights of its corners. `starts`: triangles in which sources are. Where a cell that has no vertex is narrower than a
+    /// hundredth of the diagonal, borders may be missed.
     ///
     /// # Errors
     /// Those of `ask`.
@@ -89,38 +106,45 @@ impl Borders {
     pub fn trace<E>(
         field: &Field,
         (nearest, cells): (&[Option<u32>], usize),
+        starts: &[u32],
         ask: impl FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>,
     ) -> Result<Self, E> {
         let (positions, triangles) = (field.positions(), field.triangles());
         assert_eq!(nearest.len(), positions.len(), "one number a vertex");
         let low = positions.iter().copied().fold(DVec3::INFINITY, DVec3::min);
         let high = positions.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let mut has_start = vec![false; triangles.len()];
+        starts.iter().for_each(|&triangle| has_start[triangle as usize] = true);
         let mut tracing = Tracing {
             positions: positions.to_vec(),
             nearest: nearest.to_vec(),
-            parts: (0..).zip(triangles).map(|(origin, &corners)| Part { corners, origin }).collect(),
+            parts: (0..)
+                .zip(triangles)
+                .map(|(origin, &corners)| Part { corners, origin, has_start: has_start[origin as usize] })
+                .collect(),
             weights: HashMap::new(),
             triangles: triangles.to_vec(),
             diagonal: triangle::length(high - low),
             crossings: HashMap::new(),
             pieces: Vec::new(),
             areas: vec![0.0; cells],
+            tiles: Vec::new(),
             ask,
         };
         tracing.divide()?;
         for index in 0..tracing.parts.len() {
             tracing.cross(index)?;
         }
-        Ok(Self { curves: joined(&tracing.pieces), areas: tracing.areas })
+        Ok(Self { curves: joined(&tracing.pieces), areas: tracing.areas, tiles: tracing.tiles })
     }
 }
 
 impl<E, F: FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>> Tracing<F> {
-    /// Divides long edges, and all where three cells meet.
+    /// Divides long edges where cells meet, or may be within a triangle, and all edges where three meet.
     fn divide(&mut self) -> Result<(), E> {
         for _ in 0..MOST_ROUNDS {
             let mut long: Vec<([u32; 2], u32)> = Vec::new();
-            for part in &self.parts {
+            for part in self.parts.iter().filter(|part| part.has_start || self.is_mixed(part)) {
                 let most = self.diagonal * if self.is_meeting(part) { MEETING } else { LONGEST };
                 let is_long = |[a, b]: &[u32; 2]| {
                     let [a, b] = [a, b].map(|&end| self.positions[end as usize]);
@@ -136,6 +160,11 @@ impl<E, F: FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>> Tracing<F> {
             self.divide_at(&long)?;
         }
         Ok(())
+    }
+
+    fn is_mixed(&self, part: &Part) -> bool {
+        let [a, b, c] = part.corners.map(|corner| self.nearest[corner as usize]);
+        a != b || b != c
     }
 
     /// Whether the corners of a part are of three cells.
@@ -211,13 +240,18 @@ impl<E, F: FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>> Tracing<F> {
 
     /// Adds what a part has of borders and areas.
     fn cross(&mut self, index: usize) -> Result<(), E> {
-        let Part { corners, origin } = self.parts[index];
+        let Part { corners, origin, .. } = self.parts[index];
         let places = corners.map(|corner| self.positions[corner as usize]);
         let whole = 0.5 * triangle::length(triangle::area_vector(places));
         let [Some(a), Some(b), Some(c)] = corners.map(|corner| self.nearest[corner as usize]) else { return Ok(()) };
         let cells = [a, b, c];
         if a == b && b == c {
             self.areas[a as usize] += whole;
+            self.tiles.push(Tile {
+                cell: a,
+                triangle: origin,
+                corners: corners.map(|vertex| self.weights_in(vertex, origin)),
+            });
         } else if self.is_meeting(&self.parts[index]) {
             self.meet(index, cells)?;
         } else {
@@ -234,6 +268,8 @@ impl<E, F: FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>> Tracing<F> {
             let points: Vec<DVec3> = border.iter().map(|&weights| self.position(origin, weights)).collect();
             let area = fan(places[lone], &points);
             let [mine, others] = [cells[lone], cells[turned[1]]];
+            let ends = [corner, left, right].map(|vertex| self.weights_in(vertex, origin));
+            self.tile(origin, [mine, others], ends, &border);
             self.areas[mine as usize] += area;
             self.areas[others as usize] += whole - area;
             let ends = [[corner, left], [corner, right]].map(|[a, b]| Node::Edge([a.min(b), a.max(b)]));
@@ -259,19 +295,42 @@ impl<E, F: FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>> Tracing<F> {
         Ok(border)
     }
 
+    /// Divides a part along the border around the first of its corners.
+    fn tile(
+        &mut self,
+        triangle: u32,
+        [mine, others]: [u32; 2],
+        [corner, left, right]: [[f64; 3]; 3],
+        border: &[[f64; 3]],
+    ) {
+        let chords = border.len() - 1;
+        let beyond = |chord: usize| between([left, right], chord as f64 / chords as f64);
+        for (chord, ends) in border.windows(2).enumerate() {
+            let (from, to) = (beyond(chord), beyond(chord + 1));
+            let pieces =
+                [(mine, [corner, ends[0], ends[1]]), (others, [ends[0], from, to]), (others, [ends[0], to, ends[1]])];
+            self.tiles.extend(pieces.map(|(cell, corners)| Tile { cell, triangle, corners }));
+        }
+    }
+
     /// Three cells meet in a part.
     fn meet(&mut self, index: usize, cells: [u32; 3]) -> Result<(), E> {
-        let Part { corners, origin } = self.parts[index];
-        let mut crossed = [DVec3::ZERO; 3];
-        for (k, place) in crossed.iter_mut().enumerate() {
-            let weights = self.crossing([corners[k], corners[(k + 1) % 3]], origin)?;
-            *place = self.position(origin, weights);
+        let Part { corners, origin, .. } = self.parts[index];
+        let mut weights = [[0.0; 3]; 3];
+        for (k, there) in weights.iter_mut().enumerate() {
+            *there = self.crossing([corners[k], corners[(k + 1) % 3]], origin)?;
         }
+        let crossed = weights.map(|there| self.position(origin, there));
         let middle = crossed.iter().sum::<DVec3>() / 3.0;
+        let inside = [0, 1, 2].map(|k| weights.iter().map(|there| there[k]).sum::<f64>() / 3.0);
         for k in 0..3 {
             let (next, before) = ((k + 1) % 3, (k + 2) % 3);
             let corner = self.positions[corners[k] as usize];
             self.areas[cells[k] as usize] += fan(corner, &[crossed[k], middle, crossed[before]]);
+            let own = self.weights_in(corners[k], origin);
+            for corners in [[own, weights[k], inside], [own, inside, weights[before]]] {
+                self.tiles.push(Tile { cell: cells[k], triangle: origin, corners });
+            }
             let side = [corners[k].min(corners[next]), corners[k].max(corners[next])];
             self.pieces.push(Piece {
                 cells: [cells[k].min(cells[next]), cells[k].max(cells[next])],

@@ -68,6 +68,27 @@ impl Curve {
 }
 
 impl Isolines {
+    /// The same in another unit: all lengths times a number.
+    #[must_use]
+    pub fn scaled(&self, scale: f64) -> Self {
+        let mut scaled = self.clone();
+        for isoline in &mut scaled.isolines {
+            isoline.value *= scale;
+            isoline.length *= scale;
+            isoline.enclosed_area *= scale * scale;
+            for curve in &mut isoline.curves {
+                curve.length *= scale;
+                curve.points.iter_mut().for_each(|point| *point *= scale);
+            }
+        }
+        scaled
+    }
+
+    /// The ends of the segments of all curves, two each.
+    pub fn points_of_segments(&self) -> impl Iterator<Item = DVec3> + '_ {
+        self.isolines.iter().flat_map(|isoline| &isoline.curves).flat_map(|curve| curve.segments().flatten())
+    }
+
     /// What files call one of them.
     pub fn name(&self, index: usize) -> String {
         match &self.kind {

@@ -19,7 +19,7 @@ mod unroll;
 mod web;
 pub mod write;
 
-pub use borders::Borders;
+pub use borders::{Borders, Tile};
 pub use error::{Error, MAX_DEFECT, MOST_LEVELS, NotDevelopable, Result};
 pub use field::Field;
 pub use isolines::{Curve, Isoline, Isolines, Kind};

@@ -84,7 +84,7 @@ pub use heatwalk_sparse as sparse;
 pub use heatwalk_surface as surface;
 
 pub use accuracy::RelativeError;
-pub use cells::{Cells, cells};
+pub use cells::{CellMap, CellSearch, Cells, cell_map, cells};
 pub use choice::{Choice, UnknownChoice};
 pub use cost::{Costs, tobler};
 pub use curve::{

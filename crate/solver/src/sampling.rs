@@ -7,11 +7,11 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 use std::sync::Arc;
 
-use heatwalk_sparse::{Progress, Stage, report};
+use heatwalk_sparse::Progress;
 use heatwalk_surface::{VertexData, VertexId};
 
 use crate::error::{Error, Result};
-use crate::exact::{ExactGeometry, WORK_BETWEEN_CALLS, Wavefront};
+use crate::exact::{ExactGeometry, Wavefront};
 
 /// How many samples are wanted.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,9 +76,7 @@ pub fn farthest_samples(
     let mut farthest: BinaryHeap<_> = geometry.surface().vertices().map(|vertex| key(vertex, f64::INFINITY)).collect();
     let mut next = Some((first, f64::INFINITY));
     while let Some((sample, reach)) = next {
-        while !front.advance(reach, WORK_BETWEEN_CALLS)? {
-            report(progress, Stage::Searching { radius: front.radius() }, 0.0)?;
-        }
+        front.grow(reach, progress)?;
         let number = samples.vertices.len() as u32;
         samples.vertices.push(sample);
         for &vertex in front.reached() {

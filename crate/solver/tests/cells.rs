@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use heatwalk::exact::{ExactGeometry, PlaceDistances, exact_distance};
-use heatwalk::{Error, FaceId, Place, Source, VertexId, cells, go_on};
+use heatwalk::{Error, FaceId, Place, Source, VertexId, cell_map, cells, go_on};
 use heatwalk_shapes as shapes;
 
 use crate::common::{surface, two_squares};
@@ -35,16 +35,19 @@ fn each_vertex_and_place_belongs_to_a_source_that_is_as_near_as_any() {
             assert!((found.distances[vertex] - least).abs() < 1e-12);
             assert!((alone[number][vertex] - least).abs() < 1e-12, "{vertex:?} of {number}");
         }
-        let distances = PlaceDistances::new(&geometry, &found.distances, &sources).expect("places");
+        let map = cell_map(&geometry, &sources, &mut go_on).expect("cells");
+        assert_eq!(map.cells, found);
         let of_each: Vec<_> = (0..sources.len())
             .map(|number| PlaceDistances::new(&geometry, &alone[number], &sources[number..=number]).expect("places"))
             .collect();
         for face in surface.faces().ids() {
-            let place = Place::Face { face, weights: [0.15, 0.25, 0.6] };
-            let number = found.at(&distances, place).expect("a place").expect("all are reached") as usize;
-            let lengths = of_each.iter().map(|of| of.at(place).expect("a place"));
-            let least = lengths.fold(f64::INFINITY, f64::min);
-            assert!((of_each[number].at(place).expect("a place") - least).abs() < 1e-9, "{face:?} of {number}");
+            for weights in [[0.15, 0.25, 0.6], [0.5, 0.5, 0.0], [0.01, 0.98, 0.01], [1.0 / 3.0; 3]] {
+                let place = Place::Face { face, weights };
+                let number = map.at(face, weights).expect("a place").expect("all are reached") as usize;
+                let lengths = of_each.iter().map(|of| of.at(place).expect("a place"));
+                let least = lengths.fold(f64::INFINITY, f64::min);
+                assert!((of_each[number].at(place).expect("a place") - least).abs() < 1e-9, "{face:?} of {number}");
+            }
         }
         let is_own = |(number, source): (usize, &Source)| match source.place() {
             Place::Vertex(vertex) => found.nearest[vertex] == Some(number as u32),

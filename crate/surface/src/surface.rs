@@ -334,6 +334,21 @@ impl Surface {
         self.inputs_of_face.get(face).copied().unwrap_or_else(only)
     }
 
+    /// Edges that welding has joined, as along UV seams: faces there have different vertices of the input. One half-edge of each.
+    #[must_use]
+    pub fn seams(&self) -> Vec<HalfedgeId> {
+        if self.inputs_of_face.is_empty() {
+            return Vec::new();
+        }
+        let ends = |side: HalfedgeId| {
+            let (inputs, k) = (self.inputs_of_face(side.triangle()), side.corner());
+            let [a, b] = [inputs[k], inputs[(k + 1) % 3]];
+            [a.min(b), a.max(b)]
+        };
+        let is_seam = |&edge: &HalfedgeId| self.edges.around(edge).any(|side| ends(side) != ends(edge));
+        self.edges.representatives().filter(is_seam).collect()
+    }
+
     /// `#V`, the connected component of each vertex, counted from 0 in order of their first vertices.
     pub fn components(&self) -> &VertexData<u32> {
         &self.components

@@ -46,6 +46,15 @@ pub(crate) fn corners(triangles: &[[u32; 3]], vertex_count: usize) -> Result<(),
     }
 }
 
+/// Triangles with a normal at each vertex.
+#[inline(never)]
+pub(crate) fn mesh(positions: &[Vec3], normals: &[Vec3], triangles: &[[u32; 3]]) -> Result<(), Error> {
+    same_length("normals", positions, normals)?;
+    places("positions", positions)?;
+    vectors("normals", normals)?;
+    corners(triangles, positions.len())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -34,16 +34,13 @@ pub struct MeshPose {
 
 impl MeshArrays {
     fn check(&self) -> Result<(), Error> {
-        let vertex_count = self.positions.len();
-        check::same_length("normals", &self.positions, &self.normals)?;
-        check::places("positions", &self.positions)?;
-        check::vectors("normals", &self.normals)?;
-        self.appearance.check(vertex_count, self.triangles.len())?;
+        check::mesh(&self.positions, &self.normals, &self.triangles)?;
+        self.appearance.check(self.positions.len(), self.triangles.len())?;
         let found = self.hierarchy.order().len();
         if found != self.triangles.len() {
             return Err(Error::WrongLength { what: "hierarchy", expected: self.triangles.len(), found });
         }
-        check::corners(&self.triangles, vertex_count)
+        Ok(())
     }
 }
 

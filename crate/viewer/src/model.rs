@@ -4,7 +4,7 @@ use std::cell::OnceCell;
 
 use glam::{Vec3, Vec4};
 
-use crate::appearance::MeshRun;
+use crate::appearance::{MeshRun, ModelBuffers};
 use crate::blended::{Order, back_to_front};
 use crate::context::Context;
 use crate::image::{Image, ImageLoader};
@@ -13,7 +13,7 @@ use crate::mesh::Mesh;
 use crate::pipeline::{PipelineRecipe, Place};
 use crate::shader::shader_module;
 use crate::shared::Shared;
-use crate::surface::{DISTANCE, FieldBuffers, NORMAL, PER_VERTEX, POSITION, SurfaceRenderer, TANGENT};
+use crate::surface::{DISTANCE, FieldBuffers, MeshBuffers, NORMAL, PER_VERTEX, POSITION, SurfaceRenderer, TANGENT};
 use crate::tint::TINT;
 use crate::vertex::{Unorm16x4, attribute, single};
 
@@ -55,7 +55,7 @@ impl ModelRenderer {
 
     /// Replaces the materials.
     pub(crate) fn set_materials(&mut self, context: &Context, materials: &[Material], images: &[Image]) {
-        self.materials = bind_materials(context, &self.loader, &self.layout, materials, images);
+        self.materials = self.bind(context, materials, images);
     }
 
     /// Draws a mesh that has materials, with a field where there is one; false for another mesh.
@@ -68,20 +68,33 @@ impl ModelRenderer {
         (context, shared, surfaces): (&Context, &Shared, &SurfaceRenderer),
     ) -> bool {
         let Some(model) = &mesh.model else { return false };
-        let of_pass =
-            |run: &&MeshRun| self.material(run).is_some_and(|found| found.is_blended == (which == Pass::Blended));
+        self.draw_buffers(pass, (&mesh.buffers, model, &self.materials), field, which, (context, shared, surfaces));
+        true
+    }
+
+    /// The same of what a mesh has on the device, in these materials.
+    pub(crate) fn draw_buffers(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        (buffers, model, materials): (&MeshBuffers, &ModelBuffers, &[BoundMaterial]),
+        field: Option<&FieldBuffers>,
+        which: Pass,
+        (context, shared, surfaces): (&Context, &Shared, &SurfaceRenderer),
+    ) {
+        let of_run = |run: &MeshRun| materials.get(run.material as usize).or(materials.last());
+        let of_pass = |run: &&MeshRun| of_run(run).is_some_and(|found| found.is_blended == (which == Pass::Blended));
         if !model.runs.iter().any(|run| of_pass(&run)) {
-            return true;
+            return;
         }
         let has_field = field.is_some_and(|field| field.bind(pass));
-        let is_tinted = mesh.buffers.tints.is_some();
+        let is_tinted = buffers.tints.is_some();
         let build = || self.build(context, shared, surfaces, (has_field, is_tinted), which);
         let pipelines = &self.pipelines[usize::from(has_field)][which as usize];
         pass.set_pipeline(pipelines[usize::from(is_tinted)].get_or_init(build));
         pass.set_bind_group(2, &surfaces.group, &[]);
         pass.set_vertex_buffer(4, model.texcoords.slice(..));
         pass.set_vertex_buffer(5, model.colors.slice(..));
-        mesh.buffers.bind(pass);
+        buffers.bind(pass);
         let mut runs = &model.runs;
         if let (Pass::Blended, Some(draws), Some(triangles)) =
             (which, &model.blended.draws, model.blended.triangles.get())
@@ -90,10 +103,14 @@ impl ModelRenderer {
             runs = draws;
         }
         for run in runs.iter().filter(of_pass) {
-            pass.set_bind_group(3, self.material(run).map(|material| &material.group), &[]);
+            pass.set_bind_group(3, of_run(run).map(|material| &material.group), &[]);
             pass.draw_indexed(3 * run.triangles.start..3 * run.triangles.end, 0, 0..1);
         }
-        true
+    }
+
+    /// Materials that are drawn in beside those of the file.
+    pub(crate) fn bind(&self, context: &Context, materials: &[Material], images: &[Image]) -> Vec<BoundMaterial> {
+        bind_materials(context, &self.loader, &self.layout, materials, images)
     }
 
     /// Puts the blended triangles of a mesh in order for a line of sight.

@@ -18,6 +18,7 @@ use crate::ground::Ground;
 use crate::inside::Inside;
 use crate::mesh::Mesh;
 use crate::model::ModelRenderer;
+use crate::patch::Patches;
 use crate::pin::Pins;
 use crate::pose::Track;
 use crate::punctual::PunctualLight;
@@ -73,6 +74,7 @@ pub struct Renderer {
     /// Of the surface alone, where it was given.
     shade: Option<Shade>,
     scenery: Vec<Mesh>,
+    patches: Option<Patches>,
     inside: Inside,
     /// Of surface and scenery together, as they last came to rest.
     scene: BoundingSphere,
@@ -114,6 +116,7 @@ impl Renderer {
             split: 0.0,
             shade: None,
             scenery: Vec::new(),
+            patches: None,
             inside: Inside::default(),
             scene: BoundingSphere::UNIT,
             reach: None,

@@ -22,7 +22,7 @@ import { through } from './through';
 /** In place of the vertex that one of the input became, where no triangle uses it. */
 const NONE = 0xffffffff;
 
-const loaded = moduleOnDemand(() => import('../../wasm/curves/heatwalk_curves.js'), curvesAddress);
+export const loaded = moduleOnDemand(() => import('../../wasm/curves/heatwalk_curves.js'), curvesAddress);
 
 /** Milliseconds in which isolines are made to follow the distance itself. */
 const MOST_TIME = 2000;

@@ -20,6 +20,7 @@ const OVERLAY_WORDS: Record<Overlay, Words> = {
   contacts: t('Contacts'),
   operator: t('Operator edges'),
   isolines: t('Isolines'),
+  cells: t('Cells'),
   heat: t('Heat gradient'),
   distance: t('Distance gradient'),
 };
@@ -54,7 +55,7 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
   const lights = toggle(t('Lights of the file'), (on) => scene.edit({ lights: on ? 'file' : 'style' }));
   const legend = h('p', { class: 'quiet', role: 'status' });
   const without = (gone: readonly Overlay[]) => scene.state.overlays.filter((overlay) => !gone.includes(overlay));
-  const overlays = OVERLAYS.filter((overlay) => !isArrows(overlay)).map((overlay) => {
+  const overlays = OVERLAYS.filter((overlay) => !isArrows(overlay) && overlay !== 'cells').map((overlay) => {
     const { element, show, bar } = toggle(OVERLAY_WORDS[overlay], (on) => {
       const rest = without([overlay]);
       scene.edit({ overlays: on ? [...rest, overlay] : rest });

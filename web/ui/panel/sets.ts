@@ -9,6 +9,7 @@ import type { SourceSet } from '../../state/sources';
 import { save } from '../../view/picture';
 import { h, say, select } from '../dom';
 import { byHand } from '../words';
+import { cellsControls } from './cells';
 import { DRAWING, type Tool } from '../../state/tool';
 import { plainNumbers, t, type Words } from '../../texts';
 
@@ -132,7 +133,7 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
   session.shown.watch(() => {
     if (!session.dragging) showSets();
   });
-  return [choice.element, hint, typed, said, tooMany, keeping];
+  return [choice.element, hint, typed, said, tooMany, keeping, ...cellsControls(session)];
 }
 
 /** The curve that is selected, if it can be closed. */

@@ -161,7 +161,7 @@ interface Entry {
 
 const NOTHING: Entry = { title: '', offset: ofModel(0), middle: { vertex: -1 } };
 
-function entryAt({ sources, sets }: SceneState, index: number, opened?: OpenedMesh): Entry {
+export function entryAt({ sources, sets }: SceneState, index: number, opened?: OpenedMesh): Entry {
   const source = sources[index];
   if (source) {
     return { title: pointName(source), offset: ofModel(source.offset ?? 0), middle: source };

@@ -15,6 +15,32 @@ fn nearest(sources: &[(DVec3, f64)], place: DVec3) -> Option<u32> {
     (0..sources.len() as u32).min_by(|&a, &b| of(&sources[a as usize]).total_cmp(&of(&sources[b as usize])))
 }
 
+/// The triangles in which sources are.
+fn starts(field: &Field, sources: &[(DVec3, f64)]) -> Vec<u32> {
+    let holds = |&triangle: &u32, place: DVec3| {
+        let [a, b, c] = field.triangles()[triangle as usize].map(|corner| field.positions()[corner as usize]);
+        let turned = |from: DVec3, to: DVec3| (to - from).cross(place - from).y;
+        let turns = [turned(a, b), turned(b, c), turned(c, a)];
+        turns.iter().all(|&turn| turn >= 0.0) || turns.iter().all(|&turn| turn <= 0.0)
+    };
+    let count = field.triangles().len() as u32;
+    (0..count).filter(|triangle| sources.iter().any(|&(source, _)| holds(triangle, source))).collect()
+}
+
+/// The areas of tiles by cell, all of which turn as their triangles do.
+fn areas_of_tiles(field: &Field, borders: &Borders) -> Vec<f64> {
+    let mut areas = vec![0.0; borders.areas.len()];
+    for tile in &borders.tiles {
+        let corners = field.triangles()[tile.triangle as usize].map(|corner| field.positions()[corner as usize]);
+        let turned = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - a);
+        let places = tile.corners.map(|weights| (0..3).map(|k| weights[k] * corners[k]).sum::<DVec3>());
+        let area = turned(places).dot(turned(corners).normalize()) / 2.0;
+        assert!(area > -1e-12, "turned over");
+        areas[tile.cell as usize] += area;
+    }
+    areas
+}
+
 fn traced(field: &Field, sources: &[(DVec3, f64)]) -> Borders {
     let of_vertices: Vec<Option<u32>> = field.positions().iter().map(|&place| nearest(sources, place)).collect();
     let ask = |triangle: u32, weights: [f64; 3]| {
@@ -22,7 +48,21 @@ fn traced(field: &Field, sources: &[(DVec3, f64)]) -> Borders {
         let place = (0..3).map(|k| weights[k] * field.positions()[corners[k] as usize]).sum();
         Ok::<_, Infallible>(nearest(sources, place))
     };
-    let Ok(borders) = Borders::trace(field, (&of_vertices, sources.len()), ask);
+    let Ok(borders) = Borders::trace(field, (&of_vertices, sources.len()), &starts(field, sources), ask);
+    for (of_tiles, area) in areas_of_tiles(field, &borders).iter().zip(&borders.areas) {
+        assert!((of_tiles - area).abs() < 1e-9, "{of_tiles} of tiles, {area}");
+    }
+    for tile in &borders.tiles {
+        let corners = field.triangles()[tile.triangle as usize].map(|corner| field.positions()[corner as usize]);
+        let middle =
+            (0..3).map(|k| tile.corners.iter().map(|weights| weights[k]).sum::<f64>() / 3.0 * corners[k]).sum();
+        let [least, own] = [nearest(sources, middle), Some(tile.cell)].map(|cell| {
+            let (source, begin) = sources[cell.expect("all are reached") as usize];
+            begin + source.distance(middle)
+        });
+        // A border within a triangle is a chord between the places where it is followed.
+        assert!(own - least < 1e-4, "a tile in another's cell");
+    }
     borders
 }
 
@@ -91,7 +131,7 @@ fn what_is_not_reached_has_no_border_and_files_name_both_cells() {
     let sources = [(dvec3(0.0, 0.0, 0.0), 0.0), (dvec3(1.0, 0.0, -1.0), 0.0)];
     let here = |place: DVec3| nearest(&sources, place).filter(|_| place.x < 3.0);
     let of_vertices: Vec<Option<u32>> = field.positions().iter().map(|&place| here(place)).collect();
-    let Ok(borders) = Borders::trace(&field, (&of_vertices, 2), |triangle, weights| {
+    let Ok(borders) = Borders::trace(&field, (&of_vertices, 2), &[], |triangle, weights| {
         let corners = field.triangles()[triangle as usize];
         Ok::<_, Infallible>(here((0..3).map(|k| weights[k] * field.positions()[corners[k] as usize]).sum()))
     });

@@ -3,14 +3,14 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use heatwalk_sparse::{Progress, Stage, report};
+use heatwalk_sparse::Progress;
 use heatwalk_surface::{Place, Source, ToPoint, VertexData};
 
 use super::sides::Joint;
 use super::{Curve, Line};
 use crate::distance::key;
 use crate::error::{Error, Result};
-use crate::exact::{ExactGeometry, Segment, WORK_BETWEEN_CALLS, Wavefront};
+use crate::exact::{ExactGeometry, Segment, Wavefront};
 
 /// The exact distance of each vertex (`#V`, in the file's unit) from the nearest point of any of the curves; infinite where none is reached.
 ///
@@ -21,7 +21,9 @@ pub fn curve_distance(
     curves: &[Curve],
     progress: Progress<'_>,
 ) -> Result<VertexData<f64>> {
-    Ok(searched(curve_search(geometry, curves, &[] as &[Place])?, progress)?.into_values())
+    let mut front = curve_search(geometry, curves, &[] as &[Place])?;
+    front.grow(f64::INFINITY, progress)?;
+    Ok(front.into_values())
 }
 
 /// The search for distances from curves, which can be interrupted and asked for paths, with `targets` beside the vertices.
@@ -35,13 +37,6 @@ pub fn curve_search<T: ToPoint>(geometry: &Arc<ExactGeometry>, curves: &[Curve],
     let targets = targets.iter().map(place).collect::<Result<Vec<Place>>>()?;
     let Ends { sources, segments, .. } = Ends::of(geometry, curves)?;
     Wavefront::of_segments(Arc::clone(geometry), segments, sources, &targets)
-}
-
-pub(super) fn searched(mut front: Wavefront, progress: Progress<'_>) -> Result<Wavefront> {
-    while !front.advance(f64::INFINITY, WORK_BETWEEN_CALLS)? {
-        report(progress, Stage::Searching { radius: front.radius() }, 0.0)?;
-    }
-    Ok(front)
 }
 
 /// The lines of curves, and where they end.

@@ -7,7 +7,7 @@ use heatwalk_sparse::Progress;
 use heatwalk_surface::{Element, FaceId, Place, Surface, ToPoint, VertexData};
 
 use super::Curve;
-use super::distance::{Ends, curve_search, searched};
+use super::distance::{Ends, curve_search};
 use super::sides::{Side, sides};
 use crate::error::{Error, Result};
 use crate::exact::{ExactGeometry, Segment};
@@ -55,7 +55,8 @@ pub fn signed_curve_distance_at<P: ToPoint>(
 ) -> Result<(SignedDistance, Vec<f64>)> {
     let surface = geometry.surface();
     let places = places.iter().map(|place| Ok(place.to_point(surface)?.place())).collect::<Result<Vec<Place>>>()?;
-    let front = searched(curve_search(geometry, curves, &places)?, progress)?;
+    let mut front = curve_search(geometry, curves, &places)?;
+    front.grow(f64::INFINITY, progress)?;
     let Ends { joints, segments, .. } = Ends::of(geometry, curves)?;
     let near = match sides(&front, &joints) {
         Err(Error::BadParameter { .. }) if sign != Sign::Nearest => None,

@@ -14,11 +14,11 @@ pub use log_map::{LogMap, log_map};
 pub(crate) use plane::Plane;
 pub use transport::transport;
 
-use heatwalk_sparse::{Progress, Stage, report};
+use heatwalk_sparse::Progress;
 use heatwalk_surface::ToSource;
 
 use crate::error::Result;
-use crate::exact::{ExactGeometry, WORK_BETWEEN_CALLS, Wavefront};
+use crate::exact::{ExactGeometry, Wavefront};
 
 /// The search from sources, at its end.
 pub(crate) fn searched<S: ToSource>(
@@ -27,8 +27,6 @@ pub(crate) fn searched<S: ToSource>(
     progress: Progress<'_>,
 ) -> Result<Wavefront> {
     let mut front = Wavefront::new(Arc::clone(geometry), sources)?;
-    while !front.advance(f64::INFINITY, WORK_BETWEEN_CALLS)? {
-        report(progress, Stage::Searching { radius: front.radius() }, 0.0)?;
-    }
+    front.grow(f64::INFINITY, progress)?;
     Ok(front)
 }

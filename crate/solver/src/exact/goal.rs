@@ -2,7 +2,8 @@
 
 use heatwalk_surface::{FaceId, Place};
 
-use super::wavefront::{Root, Wavefront};
+use super::roots::Root;
+use super::wavefront::Wavefront;
 
 /// What a root is to a line that is followed back to it.
 #[derive(Debug, Clone, Copy)]

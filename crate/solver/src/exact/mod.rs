@@ -19,6 +19,7 @@ mod envelope;
 mod fans;
 mod geometry;
 mod goal;
+mod kept;
 mod legs;
 mod lines;
 mod list;
@@ -34,6 +35,7 @@ mod queue;
 mod ray;
 mod relax;
 mod repeats;
+mod roots;
 #[cfg(test)]
 mod samples;
 mod segments;
@@ -49,24 +51,23 @@ use std::sync::Arc;
 pub(crate) use crossing::{Crossing, Exits};
 pub use geometry::ExactGeometry;
 pub(crate) use geometry::{Side, after, before};
+pub(crate) use kept::{Keeping, Kept};
 pub(crate) use legs::{Heading, Leg, Legs};
 pub(crate) use places::End;
 pub use places::PlaceDistances;
 pub(crate) use portals::Portals;
 pub(crate) use queue::Ring;
+pub(crate) use roots::Root;
 pub(crate) use segments::{SIDES, Segment};
 pub use wavefront::Wavefront;
-pub(crate) use wavefront::{Root, checked_sources};
+pub(crate) use wavefront::{WORK_BETWEEN_CALLS, checked_sources};
 pub(crate) use window::{Beam, Window, length};
 
-use heatwalk_sparse::{Progress, Stage, report};
+use heatwalk_sparse::Progress;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{Path, ToPoint, ToSource, VertexData};
 
 use crate::error::{Error, Result};
-
-/// Windows between two calls of a progress callback, some milliseconds of work.
-pub(crate) const WORK_BETWEEN_CALLS: usize = 20_000;
 
 /// The exact distance of every vertex (`#V`, in the file's unit) to the sources: the least of initial distance plus length
 /// of a path. Infinite where no source can be reached.
@@ -84,9 +85,7 @@ pub fn exact_distance<S: ToSource>(
     let sources = checked_sources(surface, sources)?;
     let geometry = Arc::new(ExactGeometry::new(Arc::clone(surface)));
     let mut wavefront = Wavefront::of_checked(geometry, sources, &[])?;
-    while !wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS)? {
-        report(progress, Stage::Searching { radius: wavefront.radius() }, 0.0)?;
-    }
+    wavefront.grow(f64::INFINITY, progress)?;
     Ok(wavefront.into_values())
 }
 

@@ -7,7 +7,7 @@ use heatwalk_surface::Place;
 use super::geometry::Frame;
 use super::origin::Origin;
 use super::points::PointsInFaces;
-use super::window::{Beam, GRAZE, length};
+use super::window::{Beam, length};
 
 /// Targets, their values, and where they lie.
 #[derive(Debug)]
@@ -44,13 +44,9 @@ impl Targets {
     /// Offers the targets in a half-edge's face a window that crosses it, whose rays may miss them by `grain`. `nearer` is told those that it brings nearer, with
     /// their values.
     pub fn see(&mut self, frame: &Frame, halfedge: u32, (window, grain): (&Beam, f64), nearer: impl FnMut(u32, f64)) {
-        let seen = |[x, y]: [f64; 2]| {
-            let height = window.depth + y;
-            let crosses = window.x + (x - window.x) * window.depth / height;
-            let at = crosses.max(window.begin).min(window.end);
-            let is_missed = (crosses - at).abs() * height > length(x - window.x, height) * (GRAZE * height + grain);
-            let origin = Origin::Window { halfedge, root: window.root, at, x: window.x, depth: window.depth };
-            (!is_missed).then_some((window.at(at) + length(x - at, y), origin))
+        let seen = |place: [f64; 2]| {
+            let (at, value) = window.sees(place, grain)?;
+            Some((value, Origin::Window { halfedge, root: window.root, at, x: window.x, depth: window.depth }))
         };
         self.see_by(frame, halfedge, seen, nearer);
     }

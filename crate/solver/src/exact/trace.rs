@@ -6,7 +6,8 @@ use super::goal::Goal;
 use super::origin::Origin;
 use super::portals::Portals;
 use super::ray::{Found, Ray};
-use super::wavefront::{Root, Wavefront};
+use super::roots::Root;
+use super::wavefront::Wavefront;
 use crate::dijkstra;
 use crate::error::{Error, Result};
 

@@ -49,6 +49,17 @@ impl Beam {
         self.at(at) + (x - at).abs()
     }
 
+    /// Where the straight line to a place beyond the half-edge crosses that, and the distance of the place, where rays miss it by no more
+    /// than `grain`.
+    #[inline]
+    pub fn sees(&self, [x, y]: [f64; 2], grain: f64) -> Option<(f64, f64)> {
+        let height = self.depth + y;
+        let crosses = self.x + (x - self.x) * self.depth / height;
+        let at = crosses.max(self.begin).min(self.end);
+        let is_missed = (crosses - at).abs() * height > length(x - self.x, height) * (GRAZE * height + grain);
+        (!is_missed).then_some((at, self.at(at) + length(x - at, y)))
+    }
+
     /// [Cuts off](Window::clip) what is too far. Returns whether anything is left.
     pub fn clip(&mut self, length: f64, values: [f64; 2]) -> bool {
         let mut window = Window::from(*self);

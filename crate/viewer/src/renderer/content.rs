@@ -11,6 +11,7 @@ use crate::image::Image;
 use crate::material::Material;
 use crate::mesh::{Mesh, MeshArrays, MeshPose};
 use crate::model::ModelRenderer;
+use crate::patch::{PatchArrays, Patches};
 use crate::pose::{CrowdPose, Track};
 use crate::punctual::PunctualLight;
 use crate::shell::ramp_row;
@@ -18,7 +19,7 @@ use crate::style::Style;
 use crate::surface::{FieldBuffers, RAMP_BYTES};
 
 impl Renderer {
-    /// Replaces the surface; clears field, pins, path, walker, crowd, arrows, edges, cut, section and shells. The view stays the
+    /// Replaces the surface; clears field, patches, pins, path, walker, crowd, arrows, edges, cut, section and shells. The view stays the
     /// same relative to the bounds. `shade`: that of the surface alone, where it is known.
     ///
     /// # Errors
@@ -30,6 +31,7 @@ impl Renderer {
             None => None,
         };
         self.other = None;
+        self.patches = None;
         self.shade = shade;
         self.pins.set(&self.context, &[], &[], None);
         self.curve.set_points(&self.context, &[]);
@@ -63,6 +65,17 @@ impl Renderer {
         let made = meshes.into_iter().filter_map(|arrays| Mesh::new(&self.context, arrays).transpose());
         self.scenery = made.collect::<Result<_, _>>()?;
         self.adopt_meshes();
+        Ok(())
+    }
+
+    /// Replaces the patches on the surface, and the materials and images that these use.
+    ///
+    /// # Errors
+    /// When the arrays do not fit together, or the device, or are no finite places; the old patches then stay.
+    pub fn set_patches(&mut self, arrays: PatchArrays, materials: &[Material], images: &[Image]) -> Result<(), Error> {
+        let models = self.models.get_or_insert_with(|| ModelRenderer::new(&self.context));
+        self.patches = Patches::new(&self.context, models, arrays, materials, images)?;
+        self.dirty = true;
         Ok(())
     }
 

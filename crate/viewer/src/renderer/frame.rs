@@ -154,6 +154,10 @@ impl Renderer {
                 self.draw_cut(pass, mesh, field, Part::Rim);
             });
         }
+        if let (Some(patches), Some(models)) = (&self.patches, &self.models) {
+            let drawn = (&patches.buffers, &patches.model, &*patches.materials);
+            models.draw_buffers(pass, drawn, None, Pass::Blended, (&self.context, &self.shared, &self.surfaces));
+        }
         let surface = self.seen_surface().into_iter().map(|(mesh, field)| (mesh, Some(field)));
         let mut meshes: Vec<_> = surface.chain(self.scenery.iter().map(|mesh| (mesh, None))).collect();
         let depth = |mesh: &Mesh| line_of_sight(eye).dot(mesh.bounds.center);

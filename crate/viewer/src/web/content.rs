@@ -8,10 +8,13 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use super::Viewer;
 use super::materials::{DrawnMaterial, image, material};
 use super::numbers::{
-    DrawnMesh, DrawnShade, appearance, color, finish, lights as lights_of, mesh_arrays, mesh_pose, points, shade,
+    DrawnMesh, DrawnShade, appearance, color, finish, lights as lights_of, mesh_arrays, mesh_pose, patch_arrays,
+    points, shade,
 };
 use crate::environment;
 use crate::error::Error;
+use crate::image::Image;
+use crate::material::Material;
 use crate::pose::CrowdPose;
 use crate::style::{Blend, Pattern, Style};
 
@@ -35,7 +38,7 @@ pub enum StripeBlend {
 
 #[wasm_bindgen]
 impl Viewer {
-    /// Replaces the surface; clears field, pins, path, walker, crowd, arrows, edges, cut, section and shells. `shaded`: what it
+    /// Replaces the surface; clears field, patches, pins, path, walker, crowd, arrows, edges, cut, section and shells. `shaded`: what it
     /// keeps off the light where it is alone, if that is known.
     ///
     /// # Errors
@@ -56,8 +59,7 @@ impl Viewer {
         materials: Vec<DrawnMaterial>,
         #[wasm_bindgen(unchecked_param_type = "readonly (ImageBitmap | null)[]")] images: &Array,
     ) -> Result<(), JsError> {
-        let materials = materials.into_iter().map(|given| material(&given)).collect::<Result<Vec<_>, _>>()?;
-        let images: Vec<_> = images.iter().map(image).collect();
+        let (materials, images) = given(materials, images)?;
         self.renderer.set_materials(&materials, &images);
         Ok(())
     }
@@ -85,6 +87,22 @@ impl Viewer {
     pub fn set_scenery(&mut self, meshes: Vec<DrawnMesh>) -> Result<(), JsError> {
         let meshes = meshes.into_iter().map(|mesh| mesh_arrays(&mesh)).collect::<Result<_, _>>()?;
         Ok(self.renderer.set_scenery(meshes)?)
+    }
+
+    /// Replaces what lies on the surface, a little above it, and lets it through by the alpha of these materials, which are set as those
+    /// of the file are. Of the mesh `order` and `boxes` are not used. Without triangles: nothing.
+    ///
+    /// # Errors
+    /// Throws when the arrays do not fit together, are too large for the device or hold no finite places; what is shown
+    /// stays.
+    pub fn set_patches(
+        &mut self,
+        mesh: &DrawnMesh,
+        materials: Vec<DrawnMaterial>,
+        #[wasm_bindgen(unchecked_param_type = "readonly (ImageBitmap | null)[]")] images: &Array,
+    ) -> Result<(), JsError> {
+        let (materials, images) = given(materials, images)?;
+        Ok(self.renderer.set_patches(patch_arrays(mesh)?, &materials, &images)?)
     }
 
     /// Moves the surface's vertices: `#D × 3` positions and unit normals. `rests`: it stays in this pose for a while.
@@ -303,6 +321,12 @@ impl Viewer {
     fn change_style(&mut self, change: impl FnOnce(Style) -> Style) {
         self.renderer.set_style(change(self.renderer.style()));
     }
+}
+
+/// Materials and the images that they use.
+fn given(materials: Vec<DrawnMaterial>, images: &Array) -> Result<(Vec<Material>, Vec<Image>), Error> {
+    let materials = materials.into_iter().map(|given| material(&given)).collect::<Result<_, _>>()?;
+    Ok((materials, images.iter().map(image).collect()))
 }
 
 /// How many values come, each with its direction.

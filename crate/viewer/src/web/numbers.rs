@@ -10,6 +10,7 @@ use crate::appearance::{MeshAppearance, MeshRun};
 use crate::error::Error;
 use crate::inner::InnerTriangles;
 use crate::mesh::{MeshArrays, MeshPose};
+use crate::patch::PatchArrays;
 use crate::punctual::PunctualLight;
 use crate::section::SectionArrays;
 use crate::style::Finish;
@@ -158,6 +159,15 @@ pub(super) fn mesh_arrays(mesh: &DrawnMesh) -> Result<MeshArrays, Error> {
         appearance: appearance(mesh)?,
         hierarchy: hierarchy.ok_or(Error::WrongLength { what: "hierarchy", expected: triangles.len(), found })?,
         triangles,
+    })
+}
+
+pub(super) fn patch_arrays(mesh: &DrawnMesh) -> Result<PatchArrays, Error> {
+    Ok(PatchArrays {
+        positions: groups("positions", mesh.positions().to_vec())?,
+        normals: groups("normals", mesh.normals().to_vec())?,
+        triangles: groups("triangle indices", mesh.triangles().to_vec())?,
+        appearance: appearance(mesh)?,
     })
 }
 

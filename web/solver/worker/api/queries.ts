@@ -1,10 +1,12 @@
 /** What an open mesh can be asked beside the field: each function here is a call of the page's, by `Engine.queries`. */
 import type {
+  CellWish,
   CurveFile,
   DistanceFile,
   DrawPath,
   EdgeKind,
   Enclosure,
+  FoundCells,
   FaceField,
   InnerDistanceFile,
   Isolines,
@@ -169,6 +171,16 @@ export async function girth(plane: Plane): Promise<Float32Array> {
 /** A file of them. */
 export async function girthFile(plane: Plane, kind: GirthFile, unit: LengthUnit): Promise<Bytes> {
   return (await curves()).girthFile(openSurface(), plane, kind, unit);
+}
+
+/** One step of finding cells, of 100 to 200 ms; null: they are not found yet, and the next call goes on. */
+export async function cells(wish: CellWish): Promise<FoundCells | null> {
+  return (await import('../cells')).cells(openSurface(), wish, openMesh().shownAs);
+}
+
+/** A file of the borders of the cells that were found last. */
+export async function cellFile(file: CurveFile): Promise<Bytes> {
+  return (await import('../cells')).cellFile(file, openMesh().shownAs);
 }
 
 /** A file of the last field, with lengths in a unit; of a mesh that is as in its file, with all that this holds. */

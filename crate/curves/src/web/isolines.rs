@@ -1,12 +1,11 @@
-//! The interface to JavaScript.
+//! Isolines, and what is made of them.
 
 use glam::DVec3;
-use heatwalk::{Soup, Unit, Up};
-use heatwalk_bindings::{Failure, Message, Resource, Result, resources, transform};
-use heatwalk_model::{Model, io};
+use heatwalk_bindings::{Failure, Message, Result, transform};
 use js_sys::{Float64Array, Function, Uint32Array};
 use wasm_bindgen::prelude::*;
 
+use super::files::{curve_file, picture, unit_of, without_unit};
 use crate::error::Error;
 use crate::field::Field;
 use crate::isolines::{Isoline, Isolines, Kind};
@@ -115,9 +114,7 @@ impl Curves {
     /// # Errors
     /// For a center that is not three numbers, or an axis that there is not.
     pub fn ends(&self, #[wasm_bindgen(unchecked_param_type = "DrawTransform")] drawn: &JsValue) -> Result<Vec<f32>> {
-        let transform = transform(drawn)?;
-        let curves = self.isolines.isolines.iter().flat_map(|isoline| &isoline.curves);
-        Ok(transform.places(curves.flat_map(|curve| curve.segments().flatten())))
+        Ok(transform(drawn)?.places(self.isolines.points_of_segments()))
     }
 
     /// A file of the curves: "obj", "dxf", "csv" or "glb"; "strips.obj", of the surface cut along them; "unrolled.svg",
@@ -131,10 +128,6 @@ impl Curves {
         self.left_out.clear();
         self.flat_spacing = None;
         Ok(match kind {
-            "obj" => write::obj(&self.isolines, unit),
-            "dxf" => write::dxf(&self.isolines, unit),
-            "csv" => write::csv(&self.isolines, unit),
-            "glb" => write::glb(&self.isolines),
             "strips.obj" => write::strips_obj(&strips()?, unit),
             "unrolled.svg" | "unrolled.dxf" | "unrolled.pdf" => {
                 let strips = strips()?;
@@ -147,7 +140,7 @@ impl Curves {
                     _ => write::sheet_pdf(&sheet, unit.ok_or_else(without_unit)?),
                 }
             }
-            _ => return Err(Failure::misuse("there is no such file of curves")),
+            _ => curve_file(kind, &self.isolines, unit)?,
         })
     }
 
@@ -175,18 +168,7 @@ impl Curves {
         #[wasm_bindgen(unchecked_param_type = "Up")] up: &str,
         unit: &str,
     ) -> Result<Vec<u8>> {
-        let up: Up = up.parse()?;
-        let toward_eye = toward_eye.try_into().map(DVec3::from_array);
-        let toward_eye = toward_eye.map_err(|_| Failure::misuse("a direction is three numbers"))?;
-        // What is drawn like this, in the file.
-        let in_file = |drawn: DVec3| DVec3::from_array(DVec3::AXES.map(|axis| up.turned(axis).dot(drawn)));
-        let view = write::View::from_direction(&self.field, in_file(toward_eye), in_file(DVec3::Y));
-        let view = view.ok_or_else(|| Failure::misuse("a direction has a length"))?;
-        let unit = unit_of(unit);
-        if kind != "pdf" {
-            return Ok(write::svg(&self.isolines, &self.field, &view, unit));
-        }
-        Ok(write::pdf(&self.isolines, &self.field, &view, unit.ok_or_else(without_unit)?))
+        picture(kind, (&self.isolines, &self.field), (toward_eye, up), unit_of(unit))
     }
 }
 
@@ -197,88 +179,4 @@ fn distances_at(ask: &Function, places: &Places) -> Result<Option<Vec<f64>>> {
     let answer = ask.call2(&JsValue::NULL, &triangles.into(), &weights.into());
     let answer = answer.map_err(|_| Failure::misuse("distances at places could not be had"))?;
     Ok(answer.dyn_ref::<Float64Array>().map(Float64Array::to_vec))
-}
-
-/// A PDF is at true scale.
-fn without_unit() -> Failure {
-    Failure::misuse("a PDF needs the unit of the lengths")
-}
-
-/// What lengths in a file are told in.
-#[derive(Clone, Copy)]
-#[wasm_bindgen]
-pub struct FileUnit {
-    scale: f64,
-    unit: Option<Unit>,
-}
-
-#[wasm_bindgen]
-impl FileUnit {
-    /// `scale`: by what lengths are multiplied for it; its symbol may be empty.
-    #[wasm_bindgen(constructor)]
-    #[must_use]
-    pub fn new(scale: f64, symbol: &str) -> Self {
-        Self { scale, unit: unit_of(symbol) }
-    }
-}
-
-/// A file of distances, one a vertex: "csv", "npy", "ply" or "glb", or "weights.ply" with vertex colors. `positions` are `#V × 3`,
-/// `triangles` `#F × 3`. All lengths are told in this unit.
-///
-/// # Errors
-/// For another kind of file.
-#[wasm_bindgen]
-pub fn distance_file(
-    kind: &str,
-    positions: &[f64],
-    triangles: &[u32],
-    distances: &[f64],
-    unit: FileUnit,
-) -> Result<Vec<u8>> {
-    let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
-    let soup = Soup::single("surface", positions, triangles.as_chunks().0.to_vec());
-    distances_in(kind, soup.into(), distances, unit)
-}
-
-/// The same of some parts of a mesh file, with its materials where the kind of file has these. `resource` gives the bytes of files
-/// that it refers to.
-///
-/// # Errors
-/// As reading the file has.
-#[wasm_bindgen]
-pub fn distance_file_of(
-    kind: &str,
-    name: &str,
-    bytes: &[u8],
-    resource: &Resource,
-    parts: &[u32],
-    distances: &[f64],
-    unit: FileUnit,
-) -> Result<Vec<u8>> {
-    let file = io::read(name, bytes, &resources(resource))?;
-    let parts: Vec<usize> = parts.iter().map(|&part| part as usize).collect();
-    distances_in(kind, file.chosen(&parts)?, distances, unit)
-}
-
-/// The unit of a symbol; none of the empty one.
-fn unit_of(symbol: &str) -> Option<Unit> {
-    Unit::ALL.into_iter().find(|unit| unit.symbol() == symbol)
-}
-
-fn distances_in(kind: &str, mut model: Model, distances: &[f64], unit: FileUnit) -> Result<Vec<u8>> {
-    if model.soup.positions.len() != distances.len() {
-        return Err(Failure::misuse("there is not one distance for each vertex of the file"));
-    }
-    let FileUnit { scale, unit } = unit;
-    let distances: Vec<f64> = distances.iter().map(|distance| scale * distance).collect();
-    let distances = distances.as_slice();
-    model.soup.positions.iter_mut().for_each(|position| *position *= scale);
-    Ok(match kind {
-        "csv" => io::write::distance_csv(&[(&write::column("distance", unit), distances)]),
-        "npy" => io::write::distance_npy(distances),
-        "ply" => write::with_ply_comment(io::write::distance_ply(&model.soup, distances), unit),
-        "weights.ply" => write::with_ply_comment(io::write::weights_ply(&model.soup, distances), unit),
-        "glb" => io::write::distance_glb(&model, distances),
-        _ => return Err(Failure::misuse("there is no such file of distances")),
-    })
 }

@@ -1,0 +1,6 @@
+//! The interface to JavaScript.
+
+mod cells;
+mod distances;
+mod files;
+mod isolines;

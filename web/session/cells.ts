@@ -1,0 +1,154 @@
+/** What is nearest to each source: asks for it, and shows it as colors with borders. Loaded when it is first wanted. */
+import { Failure } from '../error';
+import type { CellWish, FoundCells, OpenedMesh, Source } from '../protocol';
+import { Cancelled, WorkerLost } from '../solver/remote';
+import type { Answer, Engine } from '../solver/engine';
+import { hasCosts, openCost, isWeighted } from '../state/ground';
+import { entry } from '../state/entry';
+import { mayBeJoined, type SceneState } from '../state/scene';
+import { allSources } from '../state/sources';
+import { colouredCells } from '../view/cells';
+import { RIM } from '../view/layers';
+import type { Session } from './session';
+import { t, type Words } from '../texts';
+
+const BORDER = { colour: RIM, width: 2 } as const;
+
+/** What cells depend on. */
+interface Asked {
+  engine: Engine;
+  question: Answer['question'];
+  /** Of the pose that is shown. */
+  moment: string;
+}
+
+export class Cells {
+  readonly #session: Session;
+  #asked: Asked | null = null;
+  #finding: Promise<void> = Promise.resolve();
+  /** Numbers of surfaces and questions for the worker. */
+  #surface = 0;
+  #question = 0;
+
+  constructor(session: Session) {
+    this.#session = session;
+  }
+
+  /** Shows what the scene wants by now. Resolves when it is shown, or something else is wanted. */
+  follow(): Promise<void> {
+    const { engine, shown, scene, pose, animator, paused } = this.#session;
+    const isMoving = animator.plays && !paused.value;
+    const isWanted = scene.state.overlays.includes('cells') && !isMoving;
+    const { value } = shown;
+    if (!engine || !value || !isWanted || value.answer.question.quick || whyNoCells(value, scene.state)) {
+      this.#clear();
+      return Promise.resolve();
+    }
+    const { opened, answer } = value;
+    // Another answer is on its way.
+    if (allSources(scene.state) !== answer.question.sources) return this.#finding;
+    const asked = { engine, question: answer.question, moment: JSON.stringify(pose.value) };
+    if (this.#asked && isSame(this.#asked, asked)) return this.#finding;
+    if (!this.#asked || !isSameSurface(this.#asked, asked)) this.#surface += 1;
+    this.#asked = asked;
+    this.#question += 1;
+    const wish = wishOf(opened, answer.question, scene.state);
+    this.#finding = this.#find(asked, { ...wish, surface: this.#surface, question: this.#question });
+    return this.#finding;
+  }
+
+  async #find(asked: Asked, wish: CellWish): Promise<void> {
+    try {
+      for (;;) {
+        const found = await asked.engine.inTurn.cells(wish);
+        if (this.#asked !== asked) return;
+        if (found) return this.#show(found);
+      }
+    } catch (error) {
+      if (this.#asked !== asked) return;
+      this.#clear();
+      if (!(error instanceof Cancelled || error instanceof WorkerLost)) this.#session.fail(error);
+    }
+  }
+
+  #show(found: FoundCells): void {
+    const { view, shown, cells } = this.#session;
+    if (!shown.value) return;
+    const { opened, places } = shown.value;
+    const isOpen = opened.report.boundaryLoops > 0;
+    view.setPatches(colouredCells(opened.surface, places.drawn, found, places.drawnDiameter, isOpen));
+    view.setEdges('cells', [{ ...BORDER, ends: found.ends }]);
+    cells.value = found;
+  }
+
+  #clear(): void {
+    if (!this.#asked) return;
+    this.#asked = null;
+    const { view, cells } = this.#session;
+    view.setPatches(null);
+    view.setEdges('cells', []);
+    cells.value = null;
+  }
+}
+
+/** Why there are no cells to show; null: there are. */
+export function whyNoCells(
+  { opened, answer }: { opened: OpenedMesh; answer: Answer },
+  { sources, sets }: Pick<SceneState, 'sources' | 'sets'>,
+): Words | null {
+  if (opened.interior) return t('Cells are on surfaces alone.');
+  if (sources.length + sets.length < 2) return t('Cells are of two sources or more.');
+  if (isWeighted(answer.question.ground)) return t('Where costs differ no distance is exact, and cells are not known.');
+  return null;
+}
+
+function isSame(one: Asked, other: Asked): boolean {
+  return one.question.sources === other.question.sources && isSameSurface(one, other);
+}
+
+function isSameSurface({ engine, question, moment }: Asked, other: Asked): boolean {
+  return (
+    engine === other.engine &&
+    moment === other.moment &&
+    question.bridge === other.question.bridge &&
+    question.links === other.question.links &&
+    question.ground === other.question.ground
+  );
+}
+
+function wishOf(
+  opened: OpenedMesh,
+  { bridge, links, ground, sources }: Answer['question'],
+  { sources: single, sets }: SceneState,
+): Omit<CellWish, 'surface' | 'question'> {
+  const places = placesOf(opened, sources);
+  const cost = hasCosts(ground) ? openCost(ground) : 1;
+  const ofSets = sets.flatMap(({ points }, set) => points.map(() => single.length + set));
+  return {
+    bridge: mayBeJoined(opened) ? String(bridge) : 'off',
+    links: mayBeJoined(opened) ? links : 0,
+    places,
+    initial: Float64Array.from(sources, ({ offset = 0 }) => offset / cost),
+    cells: Uint32Array.from([...single.keys(), ...ofSets]),
+    count: single.length + sets.length,
+  };
+}
+
+/** Places as weights of corners of drawn triangles. */
+function placesOf({ surface, inputVertices, report }: OpenedMesh, sources: readonly Source[]): CellWish['places'] {
+  const cornerOf = new Int32Array(report.inputVertices).fill(-1);
+  surface.triangles.forEach((drawn, corner) => (cornerOf[entry(inputVertices, drawn)] = corner));
+  const places = { triangles: new Uint32Array(sources.length), weights: new Float64Array(3 * sources.length) };
+  sources.forEach((source, index) => {
+    if ('face' in source) {
+      places.triangles[index] = source.face;
+      places.weights.set(source.weights, 3 * index);
+      return;
+    }
+    const corner = 'vertex' in source ? (cornerOf[source.vertex] ?? -1) : -1;
+    if (corner < 0) throw new Failure(t('A source is on no triangle.'));
+    places.triangles[index] = Math.floor(corner / 3);
+    places.weights[3 * index + (corner % 3)] = 1;
+  });
+  return places;
+}

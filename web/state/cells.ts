@@ -1,0 +1,36 @@
+/** Colors of cells. */
+import type { Vector } from './vector';
+
+/** Between the hues of one cell and the next, in turns: the golden angle, so that few cells and many are all told apart. */
+const TURN = (3 - Math.sqrt(5)) / 2;
+const FIRST_HUE = 0.4;
+/** In OKLCH (B. Ottosson, "A perceptual color space for image processing", 2020); cells take the lightnesses in turn. */
+const LIGHTNESSES = [0.72, 0.6, 0.82] as const;
+const CHROMA = 0.14;
+
+/** Of the cell with a number, linear RGB. */
+export function linearColourOfCell(cell: number): Vector {
+  const hue = 2 * Math.PI * (FIRST_HUE + cell * TURN);
+  const lightness = LIGHTNESSES[cell % LIGHTNESSES.length] ?? LIGHTNESSES[0];
+  const [a, b] = [CHROMA * Math.cos(hue), CHROMA * Math.sin(hue)];
+  const cube = (u: number, v: number) => (lightness + u * a + v * b) ** 3;
+  const [l, m, s] = [
+    cube(0.3963377774, 0.2158037573),
+    cube(-0.1055613458, -0.0638541728),
+    cube(-0.0894841775, -1.291485548),
+  ];
+  const mixed: Vector = [
+    4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+    -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+    -0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s,
+  ];
+  return mixed.map((value) => Math.min(1, Math.max(0, value))) as unknown as Vector;
+}
+
+/** The same in CSS. */
+export function colourOfCell(cell: number): string {
+  const encoded = linearColourOfCell(cell).map((value) =>
+    value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055,
+  );
+  return `rgb(${encoded.map((value) => Math.round(255 * value)).join(' ')})`;
+}
