@@ -183,7 +183,14 @@ impl<E, F: FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>> Tracing<F> {
             let weights = between(self.ends_in(side, origin), 0.5);
             self.nearest.push((self.ask)(origin, weights)?);
         }
+        let mut is_end = vec![false; self.positions.len()];
+        edges.iter().flat_map(|(side, _)| side).for_each(|&end| is_end[end as usize] = true);
         for part in std::mem::take(&mut self.parts) {
+            // Most are far away from all of them.
+            if part.corners.iter().filter(|&&corner| is_end[corner as usize]).count() < 2 {
+                self.parts.push(part);
+                continue;
+            }
             let found = sides(part.corners).map(|side| middles.get(&side).copied());
             for (side, middle) in sides(part.corners).into_iter().zip(found) {
                 if let Some(middle) = middle {
