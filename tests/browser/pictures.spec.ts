@@ -45,6 +45,7 @@ const OTHERS: Pictures = [
   ['heat', `m=bunny&look=citrus&paint=heat&${VIEW}`],
   ['error', `m=bunny&look=scientific&paint=error&${VIEW}`],
   ['crowd', `m=bunny&look=candy&crowd=300&method=exact&${VIEW}`],
+  ['cells', `m=bunny&s=746,896,100&w=none&look=zebra&method=exact&show=cells&${VIEW}`],
   ['unreachable', `m=teapot&look=porcelain&s=420&cam=0.4,0.4,3,0,0,0`],
   ['ground', `m=hike&w=none&cam=0.5,0.75,2.7,0,0,0`],
   ['walls', `m=village&w=none&slope=1&cam=0.35,0.75,2.7,0,0,0`],

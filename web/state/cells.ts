@@ -5,8 +5,8 @@ import type { Vector } from './vector';
 const TURN = (3 - Math.sqrt(5)) / 2;
 const FIRST_HUE = 0.4;
 /** In OKLCH (B. Ottosson, "A perceptual color space for image processing", 2020); cells take the lightnesses in turn. */
-const LIGHTNESSES = [0.72, 0.6, 0.82] as const;
-const CHROMA = 0.14;
+const LIGHTNESSES = [0.72, 0.6, 0.8] as const;
+const CHROMA = 0.12;
 
 /** Of the cell with a number, linear RGB. */
 export function linearColourOfCell(cell: number): Vector {

@@ -6,7 +6,7 @@ import { moved, normalized, type Vector, vectorAt } from '../state/vector';
 import type { Patches } from './layers';
 
 /** How much of the color beneath is covered, and how far above the surface that lies, as a share of the diameter. */
-const OPACITY = 0.62;
+const OPACITY = 0.78;
 const LIFT = 4e-4;
 
 const FILM: Material = {

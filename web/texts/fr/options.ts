@@ -111,6 +111,8 @@ export const OPTIONS: Texts = {
     'le pas {0} n’est pas inférieur à la plus grande distance, {1} ; choisissez-en un plus petit',
   'ask for one at least': 'demandez-en au moins une',
   'the largest distance is {0}': 'la plus grande distance est {0}',
+  'there is no such triangle': 'ce triangle n’existe pas',
+  'no search was begun': 'aucune recherche n’a été commencée',
   'there is no such file of curves': 'ce fichier de courbes n’existe pas',
   'there is no such file of distances': 'ce fichier de distances n’existe pas',
   'there is not one distance for each vertex of the file': 'il n’y a pas une distance par sommet du fichier',

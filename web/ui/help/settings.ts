@@ -72,6 +72,12 @@ export const SETTINGS: Record<string, Record<string, Words | Explanation>> = {
   },
   sources: {
     Draw: t('What a click or a drag on the surface adds: a line, a stroke, a whole boundary or part.'),
+    Cells: about(
+      t(
+        'Colors by the source that is nearest, by exact distances, with borders between them, areas, and files of the borders.',
+      ),
+      'page#cells',
+    ),
   },
   ground: {
     Brush: t('A drag on the surface paints instead of orbiting.'),

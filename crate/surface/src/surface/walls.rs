@@ -185,6 +185,7 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
+    use crate::cracks::WeldRule;
     use crate::soup::Soup;
 
     /// Pages on one edge, which is the first half-edge of each.
@@ -207,6 +208,37 @@ mod tests {
             assert_eq!(looks.get(), 3 * 500);
             assert_eq!(parted.is_single(HalfedgeId(0)), is_alone);
         }
+    }
+
+    #[test]
+    fn walls_come_back_as_seams_of_what_they_have_parted() {
+        // Six triangles around the origin, two rings of them.
+        let place = |index: u32, radius: f64| {
+            let (sin, cos) = (f64::from(index) * std::f64::consts::TAU / 6.0).sin_cos();
+            radius * DVec3::new(cos, sin, 0.0)
+        };
+        let positions =
+            [DVec3::ZERO].into_iter().chain((0..6).map(|k| place(k, 1.0))).chain((0..6).map(|k| place(k, 2.0)));
+        let next = |k: u32| (k + 1) % 6;
+        let triangles = (0..6)
+            .flat_map(|k| [[0, 1 + k, 1 + next(k)], [1 + k, 7 + k, 7 + next(k)], [1 + k, 7 + next(k), 1 + next(k)]]);
+        let soup = Soup::single("disk", positions.collect(), triangles.collect());
+        let surface = Surface::build(&soup).expect("a surface");
+        assert!(surface.seams().is_empty());
+        // From the boundary through the origin to the opposite ring: it parts vertices of the boundary and of the way, not its end.
+        let vertices = [7, 1, 0, 4].map(VertexId);
+        let edges: Vec<_> =
+            vertices.windows(2).map(|ends| surface.halfedge_between(ends[0], ends[1]).expect("an edge")).collect();
+        let walled = surface.walled(&Walls { faces: Vec::new(), edges }).expect("walls");
+        assert_eq!(walled.vertex_count(), surface.vertex_count() + 3);
+        let triangles = walled.faces().iter().map(|face| face.map(|vertex| vertex.0)).collect();
+        let again = Soup::single("walled", walled.positions().iter().copied().collect(), triangles);
+        let rebuilt = Surface::build_by(&again, WeldRule::Exact, parallel::ONE).expect("a surface");
+        assert_eq!(rebuilt.vertex_count(), surface.vertex_count());
+        assert_eq!(rebuilt.seams().len(), 3);
+        let parted = rebuilt.walled(&Walls { faces: Vec::new(), edges: rebuilt.seams() }).expect("walls");
+        assert_eq!(parted.vertex_count(), walled.vertex_count());
+        assert_eq!(parted.report().boundary_loops, walled.report().boundary_loops);
     }
 
     #[test]

@@ -8,6 +8,7 @@ mod halves;
 mod image;
 mod inside;
 mod materials;
+mod patches;
 mod scenes;
 
 use std::path::{Path, PathBuf};
@@ -39,7 +40,7 @@ fn main() -> ExitCode {
             compare_with_reference(scene.name, &picture(&mut shown(&device?, scene.show)?)?)
         })
     });
-    let others: [(_, Test); 17] = [
+    let others: [(_, Test); 18] = [
         ("a_refused_mesh_leaves_the_picture_as_it_is", a_refused_mesh_leaves_the_picture_as_it_is),
         ("the_unit_of_a_field_does_not_matter", the_unit_of_a_field_does_not_matter),
         ("balls_of_pins_are_met_where_they_are_seen", balls_of_pins_are_met_where_they_are_seen),
@@ -47,6 +48,7 @@ fn main() -> ExitCode {
         ("panes_are_blended_from_back_to_front", materials::panes_are_blended_from_back_to_front),
         ("lights_of_a_file_follow_their_laws", materials::lights_of_a_file_follow_their_laws),
         ("unlit_colors_are_those_of_the_file", materials::unlit_colors_are_those_of_the_file),
+        ("patches_lie_on_the_surface_and_let_it_through", patches::patches_lie_on_the_surface_and_let_it_through),
         ("each_half_has_its_field", halves::each_half_has_its_field),
         ("a_refused_second_field_changes_nothing", halves::a_refused_second_field_changes_nothing),
         ("picks_go_through_the_cut", inside::picks_go_through_the_cut),
