@@ -315,15 +315,19 @@ export interface CurveFile {
   unit: LengthUnit;
 }
 
-/** Which cells are wanted: of what sources, on what surface. */
-export interface CellWish {
+/** A surface that cells are on. */
+export interface CellSurface {
   /** Tells surfaces apart, by whatever distance depends on besides the sources. */
   surface: number;
-  /** Tells questions apart: the next call with the same number goes on. */
-  question: number;
   /** The rule by which components are joined, and the number of links. */
   bridge: string;
   links: number;
+}
+
+/** Which cells are wanted: of what sources, on what surface. */
+export interface CellWish extends CellSurface {
+  /** Tells questions apart: the next call with the same number goes on. */
+  question: number;
   /** #S and #S × 3: the places of the sources, drawn triangles and weights of their corners. */
   places: TrianglePlaces;
   /** #S: initial distances, in the unit of the file. */
@@ -331,6 +335,12 @@ export interface CellWish {
   /** #S: the cell of each source. */
   cells: Uint32Array;
   count: number;
+}
+
+/** Other places in the stead of some: moved once to the middles of their cells, or so many, as far apart as can be. */
+export interface SpreadWish extends CellSurface {
+  places: TrianglePlaces;
+  count: number | null;
 }
 
 /** Cells that were found. */

@@ -20,7 +20,7 @@ test('cells have areas, and borders that are saved, in the link and in undo', as
   await heatwalk.settled();
   await expect.poll(() => page.evaluate(() => location.hash)).toContain('cells');
   await expect(table(page).locator('tbody tr')).toHaveText([/Vertex 306 ?.*50 %/, /Vertex 318 ?.*50 %/]);
-  await page.getByRole('combobox', { name: 'File', exact: true }).first().selectOption('csv');
+  await page.getByRole('combobox', { name: 'Borders' }).selectOption('csv');
   const downloading = page.waitForEvent('download');
   await page.getByRole('button', { name: 'Save borders' }).click();
   const [, ...rows] = (await readFile(await (await downloading).path())).toString().trim().split('\n');
@@ -57,4 +57,30 @@ test('walls part cells', async ({ heatwalk, page }) => {
   await heatwalk.settled();
   // The part below the wall is a quarter.
   await expect(table(page).locator('tbody tr').first()).toContainText('25 %');
+});
+
+test('sources are spread, and relaxed in one step of undo', async ({ heatwalk, page }) => {
+  await heatwalk.openFile('grid.off', GRID, `${VIEW}&s=${vertex(0, 0)}&show=cells`);
+  const count = page.getByRole('spinbutton', { name: 'Number of sources' });
+  await count.fill('1');
+  await page.getByRole('button', { name: 'Spread' }).click();
+  await expect(page.getByText('Spread 2 to 1,000 sources.')).toBeVisible();
+  await count.fill('4');
+  await page.getByRole('button', { name: 'Spread' }).click();
+  // The corners, each as far from those before as can be.
+  const corners = [vertex(0, 0), vertex(N, N), vertex(0, N), vertex(N, 0)];
+  const sources = async () => (await heatwalk.scene()).sources;
+  await expect.poll(sources).toHaveLength(4);
+  expect(new Set((await sources()).map((source) => 'vertex' in source && source.vertex))).toEqual(new Set(corners));
+  const relax = page.getByRole('button', { name: 'Relax' });
+  await relax.click();
+  await expect(relax).toBeEnabled({ timeout: 60_000 });
+  await heatwalk.settled();
+  // A quarter each, to what a row of vertices makes of it.
+  await expect(table(page).locator('tbody tr')).toHaveText(corners.map(() => /2[456] %$/));
+  const middle = await heatwalk.distanceAt({ vertex: vertex(N / 2, N / 2) });
+  const side = await heatwalk.distanceAt({ vertex: vertex(0, 0) });
+  expect(Math.abs(middle - side)).toBeLessThan(0.05 * side);
+  await page.keyboard.press('Control+z');
+  expect(new Set((await sources()).map((source) => 'vertex' in source && source.vertex))).toEqual(new Set(corners));
 });

@@ -24,6 +24,8 @@ const FOUND = {
   ),
 };
 
+const isCorner = ([x, y]: readonly number[]) => [x, y].every((at) => at === 0 || at === 1);
+
 test('cells are a mesh above the surface, with a vertex for each corner and cell', () => {
   const { mesh, materials } = colouredCells({ triangles: TRIANGLES }, POSE, FOUND, 1, false);
   const { positions, triangles, colors, runs } = mesh;
@@ -34,7 +36,6 @@ test('cells are a mesh above the surface, with a vertex for each corner and cell
   expect([0, 1, 2, 3].map(areaOf).reduce((sum, area) => sum + area)).toBeCloseTo(1, 6);
   for (const [, , z] of places) expect(z).toBeGreaterThan(1e-5);
   // Corners of the surface are shared within a cell: four of them; of the border, each tile has its own.
-  const isCorner = ([x, y]: readonly number[]) => [x, y].every((at) => at === 0 || at === 1);
   expect(places.filter(isCorner)).toHaveLength(4);
   const red = (vertex: number) => colors[4 * vertex];
   expect(new Set([...triangles.subarray(0, 3)].map(red)).size).toBe(1);

@@ -1,18 +1,20 @@
 /** What is nearest to each source: asks for it, and shows it as colors with borders. Loaded when it is first wanted. */
 import { Failure } from '../error';
-import type { CellWish, FoundCells, OpenedMesh, Source } from '../protocol';
+import type { CellSurface, CellWish, FoundCells, OpenedMesh, Source } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import type { Answer, Engine } from '../solver/engine';
 import { hasCosts, openCost, isWeighted } from '../state/ground';
 import { entry } from '../state/entry';
 import { mayBeJoined, type SceneState } from '../state/scene';
-import { allSources } from '../state/sources';
+import { allSources, withOffset } from '../state/sources';
+import type { Vector } from '../state/vector';
 import { colouredCells } from '../view/cells';
 import { RIM } from '../view/layers';
 import type { Session } from './session';
 import { t, type Words } from '../texts';
 
 const BORDER = { colour: RIM, width: 2 } as const;
+const FIRST = Float64Array.of(1, 0, 0);
 
 /** What cells depend on. */
 interface Asked {
@@ -26,8 +28,6 @@ export class Cells {
   readonly #session: Session;
   #asked: Asked | null = null;
   #finding: Promise<void> = Promise.resolve();
-  /** Numbers of surfaces and questions for the worker. */
-  #surface = 0;
   #question = 0;
 
   constructor(session: Session) {
@@ -49,11 +49,10 @@ export class Cells {
     if (allSources(scene.state) !== answer.question.sources) return this.#finding;
     const asked = { engine, question: answer.question, moment: JSON.stringify(pose.value) };
     if (this.#asked && isSame(this.#asked, asked)) return this.#finding;
-    if (!this.#asked || !isSameSurface(this.#asked, asked)) this.#surface += 1;
     this.#asked = asked;
     this.#question += 1;
     const wish = wishOf(opened, answer.question, scene.state);
-    this.#finding = this.#find(asked, { ...wish, surface: this.#surface, question: this.#question });
+    this.#finding = this.#find(asked, { ...wish, ...surfaceOf(opened, asked), question: this.#question });
     return this.#finding;
   }
 
@@ -102,6 +101,42 @@ export function whyNoCells(
   return null;
 }
 
+/** The surface that was asked last. */
+let numbered: { asked: Asked; number: number } | undefined;
+
+function surfaceOf(opened: OpenedMesh, asked: Asked): CellSurface {
+  if (!numbered || !isSameSurface(numbered.asked, asked)) numbered = { asked, number: (numbered?.number ?? 0) + 1 };
+  const { bridge, links } = asked.question;
+  const isJoined = mayBeJoined(opened);
+  return { surface: numbered.number, bridge: isJoined ? String(bridge) : 'off', links: isJoined ? links : 0 };
+}
+
+/**
+ * Sources in the stead of the single ones: so many, each as far from those before as can be, or with null these moved once to the
+ * middles of their cells. Null where there is no surface to ask.
+ */
+export async function spreadSources(session: Session, count: number | null): Promise<readonly Source[] | null> {
+  const { engine, shown, scene, pose } = session;
+  if (!engine || !shown.value) return null;
+  const { opened, answer } = shown.value;
+  const asked = { engine, question: answer.question, moment: JSON.stringify(pose.value) };
+  const { sources } = scene.state;
+  const places = sources.length > 0 ? placesOf(opened, sources) : { triangles: Uint32Array.of(0), weights: FIRST };
+  const numbers = await engine.inTurn.spread({ ...surfaceOf(opened, asked), places, count });
+  if (session.engine !== engine || scene.state.sources !== sources) return null;
+  return Array.from({ length: numbers.length / 4 }, (_, index) => {
+    const face = entry(numbers, 4 * index);
+    const weights: Vector = [1, 2, 3].map((k) => entry(numbers, 4 * index + k)) as unknown as Vector;
+    const corner = weights.indexOf(1);
+    const place = corner < 0 ? { face, weights } : { vertex: vertexOf(opened, 3 * face + corner) };
+    return withOffset(place, count === null ? (sources[index]?.offset ?? 0) : 0);
+  });
+}
+
+function vertexOf({ surface: { triangles }, inputVertices }: OpenedMesh, corner: number): number {
+  return entry(inputVertices, entry(triangles, corner));
+}
+
 function isSame(one: Asked, other: Asked): boolean {
   return one.question.sources === other.question.sources && isSameSurface(one, other);
 }
@@ -118,15 +153,13 @@ function isSameSurface({ engine, question, moment }: Asked, other: Asked): boole
 
 function wishOf(
   opened: OpenedMesh,
-  { bridge, links, ground, sources }: Answer['question'],
+  { ground, sources }: Answer['question'],
   { sources: single, sets }: SceneState,
-): Omit<CellWish, 'surface' | 'question'> {
+): Omit<CellWish, 'question' | keyof CellSurface> {
   const places = placesOf(opened, sources);
   const cost = hasCosts(ground) ? openCost(ground) : 1;
   const ofSets = sets.flatMap(({ points }, set) => points.map(() => single.length + set));
   return {
-    bridge: mayBeJoined(opened) ? String(bridge) : 'off',
-    links: mayBeJoined(opened) ? links : 0,
     places,
     initial: Float64Array.from(sources, ({ offset = 0 }) => offset / cost),
     cells: Uint32Array.from([...single.keys(), ...ofSets]),

@@ -114,6 +114,7 @@ export const HELP: Texts = {
   'The unit of lengths from then on.': 'L’unité des longueurs à partir de là.',
   'What a click or a drag on the surface adds: a line, a stroke, a whole boundary or part.':
     'Ce qu’ajoute un clic ou un glissement sur la surface : une ligne, un trait, un bord ou une pièce entière.',
+  'Curves where another source becomes the nearest one.': 'Courbes où une autre source devient la plus proche.',
   'Colors by the source that is nearest, by exact distances, with borders between them, areas, and files of the borders.':
     'Couleurs selon la source la plus proche, par distances exactes, avec les frontières entre elles, les aires, et des fichiers des frontières.',
   'A drag on the surface paints instead of orbiting.': 'Glisser sur la surface peint au lieu de tourner autour.',

@@ -112,6 +112,7 @@ export const OPTIONS: Texts = {
   'ask for one at least': 'demandez-en au moins une',
   'the largest distance is {0}': 'la plus grande distance est {0}',
   'there is no such triangle': 'ce triangle n’existe pas',
+  'a triangle has three weights': 'un triangle a trois poids',
   'no search was begun': 'aucune recherche n’a été commencée',
   'there is no such file of curves': 'ce fichier de courbes n’existe pas',
   'there is no such file of distances': 'ce fichier de distances n’existe pas',

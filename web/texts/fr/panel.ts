@@ -103,12 +103,17 @@ export const PANEL: Texts = {
     'Ce qui est le plus proche de chaque source, en couleurs, par distances exactes',
   'Nearest source': 'Source la plus proche',
   Area: 'Aire',
-  'Borders, DXF': 'Frontières, DXF',
-  'Borders, OBJ': 'Frontières, OBJ',
-  'Borders as seen, SVG': 'Frontières vues, SVG',
-  'Borders as seen, PDF': 'Frontières vues, PDF',
-  'Borders, CSV': 'Frontières, CSV',
-  'Borders, GLB': 'Frontières, GLB',
+  Borders: 'Frontières',
+  'as seen, SVG': 'telles que vues, SVG',
+  'as seen, PDF': 'telles que vues, PDF',
+  Spread: 'Répartir',
+  'Number of sources': 'Nombre de sources',
+  'So many sources, each as far from those before as can be':
+    'Autant de sources, chacune aussi loin que possible des précédentes',
+  'Spread 2 to {0} sources.': 'Répartissez de 2 à {0} sources.',
+  Relax: 'Équilibrer',
+  'Moves the sources to the middles of their cells, step by step':
+    'Déplace les sources vers les milieux de leurs cellules, pas à pas',
   'Save borders': 'Enregistrer les frontières',
   'The borders, where another source becomes the nearest one':
     'Les frontières, là où une autre source devient la plus proche',

@@ -72,6 +72,7 @@ export const SETTINGS: Record<string, Record<string, Words | Explanation>> = {
   },
   sources: {
     Draw: t('What a click or a drag on the surface adds: a line, a stroke, a whole boundary or part.'),
+    Borders: t('Curves where another source becomes the nearest one.'),
     Cells: about(
       t(
         'Colors by the source that is nearest, by exact distances, with borders between them, areas, and files of the borders.',

@@ -1,10 +1,11 @@
 /** Which source is nearest: colors on the surface, a table of areas, and files of the borders. */
 import { Failure } from '../../error';
 import type { CurveFile, FoundCells } from '../../protocol';
-import { whyNoCells } from '../../session/cells';
+import { spreadSources, whyNoCells } from '../../session/cells';
 import { towardEye } from '../../session/export';
 import type { Session } from '../../session/session';
 import { colourOfCell } from '../../state/cells';
+import { isWeighted } from '../../state/ground';
 import { threeDigits, withUnit } from '../../state/measures';
 import type { Overlay } from '../../state/scene';
 import { isKnown, isSameUnit, MODEL, ofModel, toldArea, unitOf, unitOfFile } from '../../length';
@@ -13,18 +14,21 @@ import { attribute, h, select } from '../dom';
 import { toggle } from '../widgets';
 import { fileNameOf, finePercent } from '../words';
 import { entryAt } from './sources';
-import { counted, t, type Words } from '../../texts';
+import { count, counted, t, type Words } from '../../texts';
 
 const CELLS: Overlay = 'cells';
 type Kind = Extract<CurveFile['kind'], 'dxf' | 'obj' | 'svg' | 'pdf' | 'csv' | 'glb'>;
 const FILES: readonly (readonly [Kind, Words])[] = [
-  ['dxf', t('Borders, DXF')],
-  ['obj', t('Borders, OBJ')],
-  ['svg', t('Borders as seen, SVG')],
-  ['pdf', t('Borders as seen, PDF')],
-  ['csv', t('Borders, CSV')],
-  ['glb', t('Borders, GLB')],
+  ['dxf', 'DXF'],
+  ['obj', 'OBJ'],
+  ['svg', t('as seen, SVG')],
+  ['pdf', t('as seen, PDF')],
+  ['csv', 'CSV'],
+  ['glb', 'GLB'],
 ];
+const MOST_SPREAD = 1000;
+/** Of relaxing: after so many, sources hardly move. */
+const ROUNDS = 10;
 /** Rows of the table; more are told by a file. */
 const MOST_ROWS = 100;
 
@@ -36,22 +40,56 @@ export function cellsControls(session: Session): HTMLElement[] {
   });
   attribute(on.element, 'title', t('What is nearest to each source, in colors, by exact distances'));
   const table = h('div', {});
+  const many = h('input', {
+    type: 'number',
+    min: 2,
+    max: MOST_SPREAD,
+    value: 12,
+    'aria-label': t('Number of sources'),
+  });
+  const button = (name: Words, title: Words, work: () => Promise<void>) => {
+    const element = h('button', { class: 'small', title }, name);
+    element.addEventListener('click', () => {
+      element.disabled = true;
+      work()
+        .catch((error: unknown) => session.fail(error))
+        .finally(() => (element.disabled = false));
+    });
+    return element;
+  };
+  const spread = button(t('Spread'), t('So many sources, each as far from those before as can be'), async () => {
+    const wanted = Math.round(many.valueAsNumber);
+    if (!(wanted >= 2 && wanted <= MOST_SPREAD)) throw new Failure(t`Spread 2 to ${count(MOST_SPREAD)} sources.`);
+    const sources = await spreadSources(session, wanted);
+    if (sources) scene.edit({ sources, sets: [], selected: -1 });
+  });
+  const relax = button(t('Relax'), t('Moves the sources to the middles of their cells, step by step'), async () => {
+    const gesture = {};
+    for (let round = 0; round < ROUNDS; round++) {
+      const sources = await spreadSources(session, null);
+      if (!sources) return;
+      scene.edit({ sources }, gesture);
+    }
+  });
+  const spreading = h('div', { class: 'linking' }, many, spread, relax);
   let [[kind]] = FILES as readonly [readonly [Kind, Words]];
-  const file = select(t('File'), FILES, (value) => (kind = value));
+  const file = select(t('Borders'), FILES, (value) => (kind = value));
   const keep = h(
     'button',
     {
-      class: 'small',
+      class: 'wide',
       title: t('The borders, where another source becomes the nearest one'),
       onclick: () => void saveBorders(session, kind).catch((error: unknown) => session.fail(error)),
     },
     t('Save borders'),
   );
-  const saving = h('div', { class: 'linking', hidden: true }, file.element, keep);
+  const saving = h('div', { class: 'stack', hidden: true }, file.element, keep);
   const show = () => {
     on.show(scene.state.overlays.includes(CELLS));
     on.bar(shown.value && whyNoCells(shown.value, scene.state));
     saving.hidden = cells.value === null;
+    spreading.hidden = shown.value?.opened.interior !== null || isWeighted(shown.value.answer.question.ground);
+    relax.hidden = scene.state.sets.length > 0 || scene.state.sources.length < 2;
     table.replaceChildren(...(cells.value ? [tableOf(session, cells.value)] : []));
   };
   cells.watch(show);
@@ -61,7 +99,7 @@ export function cellsControls(session: Session): HTMLElement[] {
     if (isOther || state.overlays !== previous.overlays || !isSameUnit(state, previous)) show();
   });
   show();
-  return [on.element, table, saving];
+  return [spreading, on.element, table, saving];
 }
 
 function tableOf({ scene, shown }: Session, { areas }: FoundCells): HTMLElement {

@@ -3,7 +3,10 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use heatwalk::{CellMap, CellSearch, DistanceSolver, FaceId, Place, Soup, Source, Surface, Walls, WeldRule};
+use heatwalk::{
+    CellMap, CellSearch, DistanceSolver, FaceId, Place, SampleCount, Soup, Source, Surface, Walls, WeldRule,
+    farthest_samples, go_on, relaxed,
+};
 use heatwalk_base::parallel;
 use heatwalk_bindings::{Failure, Result, transform};
 use wasm_bindgen::prelude::*;
@@ -79,13 +82,10 @@ impl CellSurface {
     /// # Errors
     /// For a triangle that there is none of, weights out of range, and negative distances.
     pub fn begin(&mut self, triangles: &[u32], weights: &[f64], initial: &[f64]) -> Result<()> {
-        let source = |((&triangle, &weights), &initial): ((&u32, &[f64; 3]), &f64)| {
-            let kept = self.number(triangle).ok_or_else(|| Failure::misuse("there is no such triangle"))?;
-            let kept = &self.kept[kept as usize];
-            let place = Place::Face { face: kept.face, weights: kept.weights(weights) };
-            Ok(self.solver.surface().source(place, initial)?)
+        let source = |((&triangle, weights), &initial): ((&u32, &[f64]), &f64)| {
+            Ok(self.solver.surface().source(self.place(triangle, weights)?, initial)?)
         };
-        self.sources = triangles.iter().zip(weights.as_chunks().0).zip(initial).map(source).collect::<Result<_>>()?;
+        self.sources = triangles.iter().zip(weights.chunks(3)).zip(initial).map(source).collect::<Result<_>>()?;
         self.search = Some(CellSearch::new(self.solver.exact_geometry(), &self.sources)?);
         Ok(())
     }
@@ -128,11 +128,63 @@ impl CellSurface {
     }
 }
 
+#[wasm_bindgen]
 impl CellSurface {
+    /// So many places, each the vertex that is farthest from those before, of which the first is near a place: four numbers each, a
+    /// triangle and the weights of its corners.
+    ///
+    /// # Errors
+    /// For a triangle that there is none of, no place, and where there is no memory.
+    pub fn spread(&mut self, triangle: u32, weights: &[f64], count: u32) -> Result<Vec<f64>> {
+        let near = self.place(triangle, weights)?;
+        let Place::Face { face, weights } = near else { return Err(no_triangle()) };
+        let heaviest = (0..3).fold(0, |best, k| if weights[k] > weights[best] { k } else { best });
+        let first = self.solver.surface().faces()[face][heaviest];
+        let geometry = self.solver.exact_geometry();
+        let samples = farthest_samples(geometry, first, SampleCount::Exactly(count as usize), &mut go_on)?;
+        Ok(self.numbers(samples.vertices.into_iter().map(Place::Vertex)))
+    }
+
+    /// Places moved once to the middles of their cells, as numbers like those of [`Self::spread`].
+    ///
+    /// # Errors
+    /// As [`Self::begin`].
+    pub fn relaxed(&mut self, triangles: &[u32], weights: &[f64]) -> Result<Vec<f64>> {
+        let places = triangles.iter().zip(weights.chunks(3)).map(|(&triangle, weights)| self.place(triangle, weights));
+        let places = places.collect::<Result<Vec<Place>>>()?;
+        let moved = relaxed(self.solver.exact_geometry(), &places, 1, &mut go_on)?;
+        Ok(self.numbers(moved.into_iter().map(|point| point.place())))
+    }
+}
+
+impl CellSurface {
+    fn place(&self, triangle: u32, weights: &[f64]) -> Result<Place> {
+        let kept = &self.kept[self.number(triangle).ok_or_else(no_triangle)? as usize];
+        let weights = weights.try_into().map_err(|_| Failure::misuse("a triangle has three weights"))?;
+        Ok(Place::Face { face: kept.face, weights: kept.weights(weights) })
+    }
+
+    fn numbers(&self, places: impl Iterator<Item = Place>) -> Vec<f64> {
+        let surface = self.solver.surface();
+        let of_place = |place: Place| {
+            let face = place.faces(surface)[0];
+            let triangle = surface.triangle_of_face(face).0;
+            let weights = place.weights_in(surface, face);
+            let corners = self.number(triangle).map_or([0, 1, 2], |number| self.kept[number as usize].corners);
+            let [a, b, c] = corners.map(|corner| weights[corner]);
+            [f64::from(triangle), a, b, c]
+        };
+        places.flat_map(of_place).collect()
+    }
+
     /// Which of those kept a triangle is.
     fn number(&self, triangle: u32) -> Option<u32> {
         self.kept.binary_search_by_key(&triangle, |kept| kept.triangle).ok().map(|number| number as u32)
     }
+}
+
+fn no_triangle() -> Failure {
+    Failure::misuse("there is no such triangle")
 }
 
 fn not_begun() -> Failure {

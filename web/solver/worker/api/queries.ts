@@ -16,6 +16,7 @@ import type {
   SavedCurves,
   GirthFile,
   Plane,
+  SpreadWish,
   SurfaceLeg,
 } from '../../../protocol';
 import type { LengthUnit } from '../../../length';
@@ -176,6 +177,11 @@ export async function girthFile(plane: Plane, kind: GirthFile, unit: LengthUnit)
 /** One step of finding cells, of 100 to 200 ms; null: they are not found yet, and the next call goes on. */
 export async function cells(wish: CellWish): Promise<FoundCells | null> {
   return (await import('../cells')).cells(openSurface(), wish, openMesh().shownAs);
+}
+
+/** #P × 4: each a drawn triangle, and the weights of its corners. */
+export async function spread(wish: SpreadWish): Promise<Float64Array> {
+  return (await import('../cells')).spread(openSurface(), wish);
 }
 
 /** A file of the borders of the cells that were found last. */
