@@ -131,6 +131,11 @@ pub enum Error {
     /// Start and source lie on parts that are not connected.
     #[error("no source can be reached from there: the parts are not connected")]
     Unreachable,
+    /// A closed curve can be deformed into a point, or all that are asked for.
+    #[error(
+        "the loop shrinks to a point, because it goes around no handle and no hole; give places on the way around one, or three and more that hold it"
+    )]
+    Contractible,
     /// The work was stopped by the caller's progress callback.
     #[error("cancelled")]
     Cancelled,

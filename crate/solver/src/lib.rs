@@ -67,6 +67,7 @@ mod extremum;
 mod footprint;
 pub mod gradient;
 pub mod heat;
+mod loops;
 mod mean;
 pub mod operator;
 mod options;
@@ -102,12 +103,15 @@ pub use heatwalk_surface::{
     InputVertex, LengthUnit, Link, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId,
     SurfacePoint, ToPoint, ToSource, Unit, UnitRule, VertexData, VertexId, Walls, Warning, WarningCode, WeldRule,
 };
+pub use loops::{geodesic_loop, handle_loops};
 pub use mean::{Mean, mean, relaxed};
 pub use options::{
     AUTOMATIC, Boundary, DEFAULT_WINDOWS, EdgeKind, ExactRadius, FaceField, FactorOptions, LinearSolver, MemoryLimit,
     Method, MultiSource, Operator, Parameters, PathKind, Sign, TRIANGLE_BYTES, TimeStep, Up, VertexField, WINDOWS,
 };
-pub use path::{Enclosed, PathSearch, Straightest, descend, enclosed, refract, straighten, straightest};
+pub use path::{
+    Enclosed, PathSearch, Straightest, closed_geodesic, descend, enclosed, refract, straighten, straightest,
+};
 pub use propagation::{Carriers, ExactSearch, Propagation, PropagationOptions, Windows};
 pub use refinement::PropagationRefinement;
 pub use relief::Relief;

@@ -19,6 +19,7 @@ mod frames;
 mod gradient;
 mod invariants;
 mod junctions;
+mod loops;
 mod march;
 mod means;
 mod memory;

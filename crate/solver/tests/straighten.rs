@@ -96,7 +96,7 @@ fn any_walk_in_the_plane_becomes_the_line() {
 }
 
 /// The box [0, 1]³, its sides cut into `n × n` quads.
-fn cube(n: u32) -> Soup {
+pub fn cube(n: u32) -> Soup {
     let mut positions = Vec::new();
     let mut triangles = Vec::new();
     for side in 0..6 {

@@ -90,6 +90,29 @@ impl Path {
         Ok(Self::new(surface, points))
     }
 
+    /// One path after the other: each begins where the one before ends. `None` where there is none.
+    ///
+    /// # Panics
+    /// For paths on other surfaces.
+    pub fn joined(surface: &Surface, paths: &[Self]) -> Option<Self> {
+        let points = paths.iter().flat_map(|path| path.points.iter().copied()).collect::<Vec<_>>();
+        (!points.is_empty()).then(|| Self::new(surface, points))
+    }
+
+    /// The same path from its end to its start.
+    #[must_use]
+    pub fn reversed(&self, surface: &Surface) -> Self {
+        let faces = self.points.iter().rev().skip(1).map(|point| point.face);
+        let last = self.points.first().map(|point| point.face);
+        let points = self.points.iter().rev().zip(faces.chain(last));
+        Self::new(surface, points.map(|(point, face)| PathPoint { face, ..*point }).collect())
+    }
+
+    /// Whether it ends where it begins, after having been elsewhere.
+    pub fn is_closed(&self, surface: &Surface) -> bool {
+        matches!(self.points[..], [first, .., last] if first.location.is_at(surface, last.location))
+    }
+
     /// The same places on the same surface in another pose.
     ///
     /// # Errors

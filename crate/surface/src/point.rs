@@ -141,7 +141,7 @@ impl Place {
     }
 
     /// Whether another place of the same component is this one but for rounding.
-    pub(crate) fn is_at(self, surface: &Surface, other: Self) -> bool {
+    pub fn is_at(self, surface: &Surface, other: Self) -> bool {
         let weight_of =
             |vertex| other.support(surface).find(|&(corner, _)| corner == vertex).map_or(0.0, |found| found.1);
         self.support(surface).all(|(vertex, weight)| (weight - weight_of(vertex)).abs() <= SAME)

@@ -1,10 +1,12 @@
 //! Curves made on the surface: down a distance, straightened, refracted, straightest; and what closed ones enclose.
 
+mod chain;
 pub mod descent;
 pub mod enclosed;
 mod funnel;
 mod link;
 pub mod refract;
+mod ring;
 mod search;
 pub mod straighten;
 pub mod straightest;
@@ -15,5 +17,5 @@ pub(crate) use descent::descend_corners;
 pub use enclosed::{Enclosed, enclosed};
 pub use refract::refract;
 pub use search::{PathSearch, shortest};
-pub use straighten::straighten;
+pub use straighten::{closed_geodesic, straighten};
 pub use straightest::{Straightest, straightest};

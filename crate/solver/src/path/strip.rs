@@ -114,7 +114,7 @@ pub(super) fn unfold(surface: &Surface, strip: &Strip, from: Place, to: Place) -
 }
 
 /// The corner that is neither of these two.
-fn third(corners: [VertexId; 3], ends: [VertexId; 2]) -> VertexId {
+pub(super) fn third(corners: [VertexId; 3], ends: [VertexId; 2]) -> VertexId {
     corners.into_iter().find(|corner| !ends.contains(corner)).expect("three different corners")
 }
 
