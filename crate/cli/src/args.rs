@@ -32,6 +32,8 @@ pub enum Command {
     Distance(Distance),
     /// The path from one place to another
     Path(Path),
+    /// Closed curves through places or around handles
+    Loop(Loop),
     /// Curves of equal distance, and the surface cut along them
     Isolines(Isolines),
     /// Spread samples over a surface, each as far from those before it as may be
@@ -223,6 +225,9 @@ pub struct Path {
     /// Where the path begins: a vertex V, or a place F:b0,b1,b2 in a triangle or T:b0,b1,b2,b3 in a tetrahedron
     #[arg(long, value_name = "S")]
     pub from: Place,
+    /// Where it goes on its way; may be repeated, in order
+    #[arg(long, value_name = "S")]
+    pub via: Vec<Place>,
     /// Where it ends
     #[arg(long, value_name = "S")]
     pub to: Place,
@@ -235,6 +240,31 @@ pub struct Path {
     #[arg(long, conflicts_with_all = ["straighten", "method"])]
     pub exact: bool,
     /// Write the points to an .obj or .csv file
+    #[arg(long, value_name = "FILE", group = "turned")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub axis: UpAxis,
+}
+
+#[derive(Args)]
+#[command(group = ArgGroup::new("turned").multiple(true))]
+#[command(group = ArgGroup::new("around").required(true))]
+pub struct Loop {
+    #[command(flatten)]
+    pub mesh: Mesh,
+    #[command(flatten)]
+    pub bridging: Bridging,
+    /// Where the loop goes: a vertex V, or a place F:b0,b1,b2 in a triangle; may be repeated, in order. Through one or two it goes around
+    /// a handle or a hole
+    #[arg(long, value_name = "P", group = "around")]
+    pub through: Vec<Place>,
+    /// Let go of the places: tighten the loop to a closed geodesic that it can be deformed into
+    #[arg(long, requires = "through", conflicts_with = "handles")]
+    pub free: bool,
+    /// Closed geodesics around the handles and through them, two of each
+    #[arg(long, group = "around")]
+    pub handles: bool,
+    /// Write the points to an .obj or .csv file; those of several loops with its number in each row
     #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -453,6 +483,11 @@ impl Question {
 }
 
 impl Path {
+    /// Where it goes, in order.
+    pub fn places(&self) -> impl Iterator<Item = &Place> {
+        [&self.from].into_iter().chain(&self.via).chain([&self.to])
+    }
+
     /// What is asked of the solver.
     ///
     /// # Errors
@@ -492,7 +527,7 @@ fn positive(text: &str) -> Result<f64, String> {
 /// The first paragraph of clap's message, on one line; the rest is its help.
 pub fn in_one_sentence(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "give a command: info, distance, path, isolines, sample, mean, walk, log-map, transport, cells, fill or table; heatwalk --help tells more".to_owned();
+        return "give a command: info, distance, path, loop, isolines, sample, mean, walk, log-map, transport, cells, fill or table; heatwalk --help tells more".to_owned();
     }
     let text = error.render().to_string();
     let paragraph = text.split("\n\n").next().unwrap_or_default();

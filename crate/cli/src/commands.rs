@@ -14,6 +14,7 @@ use crate::fill::fill;
 use crate::input::Input;
 use crate::isolines::isolines;
 use crate::log_map::log_map;
+use crate::loops::loops;
 use crate::mean::mean;
 use crate::path::path;
 use crate::report::Report;
@@ -29,6 +30,7 @@ pub fn run(command: &Command) -> Result<Answer> {
         Command::Info(arguments) => info(arguments).map(Answer::from),
         Command::Distance(arguments) => distance(arguments).map(Answer::from),
         Command::Path(arguments) => path(arguments).map(Answer::from),
+        Command::Loop(arguments) => loops(arguments).map(Answer::from),
         Command::Isolines(arguments) => isolines(arguments).map(Answer::from),
         Command::Cells(arguments) => cells(arguments).map(Answer::from),
         Command::Fill(arguments) => fill(arguments).map(Answer::from),

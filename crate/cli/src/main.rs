@@ -13,6 +13,7 @@ mod ground;
 mod input;
 mod isolines;
 mod log_map;
+mod loops;
 mod markdown;
 mod mean;
 mod method;

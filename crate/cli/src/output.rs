@@ -134,12 +134,33 @@ impl Output<PathFormat> {
     pub fn write(&self, points: impl Iterator<Item = DVec3>, up: Up) -> Result<()> {
         let points: Vec<_> = points.map(|point| up.turned(point)).collect();
         self.save(&match self.format {
-            PathFormat::Obj => write::polyline_obj(&points),
+            PathFormat::Obj => write::polylines_obj(&[points]),
             PathFormat::Csv => {
                 let mut text = String::from("x,y,z\n");
                 for point in &points {
                     // Writing to a String cannot fail.
                     let _ = writeln!(text, "{:.16e},{:.16e},{:.16e}", point.x, point.y, point.z);
+                }
+                text.into_bytes()
+            }
+        })
+    }
+
+    /// Any number of polylines; in a table each row has the number of its one.
+    pub fn write_several(&self, lines: &[Vec<DVec3>], up: Up) -> Result<()> {
+        if let [only] = lines {
+            return self.write(only.iter().copied(), up);
+        }
+        let turned = |line: &Vec<DVec3>| line.iter().map(|&point| up.turned(point)).collect::<Vec<_>>();
+        let lines: Vec<Vec<DVec3>> = lines.iter().map(turned).collect();
+        self.save(&match self.format {
+            PathFormat::Obj => write::polylines_obj(&lines),
+            PathFormat::Csv => {
+                let mut text = String::from("loop,x,y,z\n");
+                for (number, line) in lines.iter().enumerate() {
+                    for point in line {
+                        let _ = writeln!(text, "{number},{:.16e},{:.16e},{:.16e}", point.x, point.y, point.z);
+                    }
                 }
                 text.into_bytes()
             }

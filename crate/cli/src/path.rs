@@ -2,9 +2,11 @@
 
 use std::time::Instant;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use heatwalk::exact::shortest_path;
-use heatwalk::{Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, PathKind, Place, SurfacePoint, go_on};
+use heatwalk::{
+    Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, PathKind, Place, Surface, SurfacePoint, go_on,
+};
 use serde_json::json;
 
 use crate::args::Path;
@@ -26,6 +28,20 @@ struct Found {
     path_ms: f64,
 }
 
+impl Found {
+    /// The path and then the next one, which begins at its end.
+    fn followed_by(self, surface: &Surface, next: &Self) -> Self {
+        Self {
+            distance: self.distance + next.distance,
+            is_interpolated: self.is_interpolated || next.is_interpolated,
+            solve_ms: self.solve_ms + next.solve_ms,
+            path_ms: self.path_ms + next.path_ms,
+            path: self.path.followed_by(surface, &next.path),
+            method: next.method,
+        }
+    }
+}
+
 pub fn path(arguments: &Path) -> Result<String> {
     if let Some(input) = volume::Input::of(&arguments.mesh)? {
         return volume::path(arguments, &input);
@@ -33,17 +49,20 @@ pub fn path(arguments: &Path) -> Result<String> {
     let options = arguments.distance_options()?;
     let output = arguments.output.as_deref().map(Output::path).transpose()?;
     let input = Input::of(&arguments.mesh)?;
-    arguments.from.check(&input.model.soup)?;
-    arguments.to.check(&input.model.soup)?;
+    let soup = &input.model.soup;
+    arguments.places().try_for_each(|place| place.check(soup))?;
     let (solver, mut report, build_ms) = walkable(&input, &arguments.mesh, &arguments.solving, arguments.axis.up)?;
-    let from = arguments.from.on(&input.model.soup, solver.surface())?;
-    let to = arguments.to.on(&input.model.soup, solver.surface())?;
+    let places = arguments.places().map(|place| place.on(soup, solver.surface()));
+    let places: Vec<SurfacePoint> = places.collect::<Result<_>>()?;
     let mut prepared = prepare((solver, build_ms), &options)?;
-    let found = if arguments.exact {
-        exactly(&mut prepared.solver, from, to)?
-    } else {
-        by_descent(&mut prepared.solver, from, to, (arguments, &options))?
-    };
+    let legs = places.windows(2).map(|ends| match arguments.exact {
+        true => exactly(&mut prepared.solver, ends[0], ends[1]),
+        false => by_descent(&mut prepared.solver, ends[0], ends[1], (arguments, &options)),
+    });
+    let legs = legs.collect::<Result<Vec<Found>>>()?;
+    let surface = prepared.solver.surface();
+    let found = legs.into_iter().reduce(|before, leg| before.followed_by(surface, &leg));
+    let found = found.context("a path has two ends")?;
     if let Some(output) = output {
         output.write(found.path.positions().into_iter(), arguments.axis.up)?;
     }

@@ -8,6 +8,9 @@ use heatwalk_model::Motion;
 use heatwalk_model::motion::Clip;
 use serde_json::{Map, Value, json};
 
+/// Numbers of a list that are printed; of a longer one only how many there are.
+const FEW: usize = 8;
+
 pub fn milliseconds(start: Instant) -> f64 {
     start.elapsed().as_secs_f64() * 1e3
 }
@@ -164,7 +167,11 @@ impl Report {
                 }),
                 // Those have been told on standard error.
                 Value::Array(_) if name == "warnings" => Ok(()),
-                Value::Array(numbers) if name == "end" || name == "direction" || name.ends_with(" axis") => {
+                Value::Array(loops) if name == "loops" => loops.iter().enumerate().try_for_each(|(index, of_loop)| {
+                    let label = format!("loop {index}");
+                    writeln!(text, "{label:<22} length {}", of_loop["length"])
+                }),
+                Value::Array(numbers) if numbers.len() <= FEW && numbers.iter().all(Value::is_number) => {
                     let numbers: Vec<String> = numbers.iter().map(Value::to_string).collect();
                     writeln!(text, "{name:<22} {}", numbers.join(","))
                 }

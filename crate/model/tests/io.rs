@@ -312,7 +312,7 @@ fn written_meshes_read_back() {
     let greatest = distance.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max) as f32;
     assert_eq!(root["accessors"][1]["max"], json!([greatest]));
     assert_eq!(glb.len() % 4, 0);
-    let path = write::polyline_obj(&[DVec3::ZERO, DVec3::new(0.1, 1.0, -2.0)]);
+    let path = write::polylines_obj(&[vec![DVec3::ZERO, DVec3::new(0.1, 1.0, -2.0)]]);
     assert!(String::from_utf8(path).unwrap().ends_with("v 0 0 0\nv 0.1 1 -2\nl 1 2\n"));
 }
 

@@ -239,7 +239,7 @@ fn what_shrinks_to_a_point_is_told_and_so_is_what_is_no_loop() {
     let none: [VertexId; 0] = [];
     assert_eq!(geodesic_loop(&of_sphere, &none, &mut go_on), Err(Error::NoSource));
     let open = Path::along_edges(&sphere, &edge_polyline(&sphere, &places, false).expect("a line")).expect("edges");
-    assert!(closed_geodesic(&sphere, &open).expect_err("open").to_string().contains("the curve is open"));
+    assert!(closed_geodesic(&sphere, &open).expect_err("open").to_string().contains("curve is open"));
     let apart = std::sync::Arc::new(surface(&two_squares(3).0));
     let last = VertexId(apart.vertex_count() as u32 - 1);
     let places = [VertexId(0), VertexId(2), last];

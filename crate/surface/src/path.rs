@@ -90,13 +90,10 @@ impl Path {
         Ok(Self::new(surface, points))
     }
 
-    /// One path after the other: each begins where the one before ends. `None` where there is none.
-    ///
-    /// # Panics
-    /// For paths on other surfaces.
-    pub fn joined(surface: &Surface, paths: &[Self]) -> Option<Self> {
-        let points = paths.iter().flat_map(|path| path.points.iter().copied()).collect::<Vec<_>>();
-        (!points.is_empty()).then(|| Self::new(surface, points))
+    /// This path and then another one of the same surface, which begins where it ends.
+    #[must_use]
+    pub fn followed_by(&self, surface: &Surface, next: &Self) -> Self {
+        Self::new(surface, [self.points.as_slice(), &next.points].concat())
     }
 
     /// The same path from its end to its start.

@@ -46,29 +46,39 @@ pub fn path(arguments: &Path, input: &Input) -> Result<String> {
     }
     let output = arguments.output.as_deref().map(Output::path).transpose()?;
     let (mesh, build_ms) = build(input)?;
-    let [from, to] = [arguments.from, arguments.to].map(|place| point(place, &input.soup, &mesh));
-    let (from, to) = (from?, to?);
+    let places = arguments.places().map(|&place| point(place, &input.soup, &mesh)).collect::<Result<Vec<_>>>()?;
     let mut said = Report::default();
     push_mesh(&mut said, mesh.report());
     let costs = solving.ground.inside(&input.soup, &mesh)?;
     let (mut solver, precompute_ms) = prepare(&mesh, costs.as_deref(), &options)?;
-    let start = Instant::now();
-    let answer = solver.distance(&[to], &options)?;
-    let solve_ms = milliseconds(start);
-    let start = Instant::now();
-    let path = solver.path(&answer, from)?;
-    let path_ms = milliseconds(start);
+    let (mut points, mut method) = (Vec::new(), "");
+    let [mut distance, mut length, mut cost, mut solve_ms, mut path_ms] = [0.0; 5];
+    for ends in places.windows(2) {
+        let start = Instant::now();
+        let answer = solver.distance(&ends[1..], &options)?;
+        solve_ms += milliseconds(start);
+        let start = Instant::now();
+        let leg = solver.path(&answer, ends[0])?;
+        path_ms += milliseconds(start);
+        method = answer.method.name();
+        distance += solver.at(&answer, ends[0])?;
+        length += leg.length;
+        cost += leg.cost;
+        points.extend(leg.points);
+    }
+    // Each leg begins where the one before ends.
+    points.dedup();
     if let Some(output) = output {
-        output.write(path.points.iter().copied(), arguments.axis.up)?;
+        output.write(points.iter().copied(), arguments.axis.up)?;
     }
-    said.push("method", answer.method.name());
+    said.push("method", method);
     said.push("factor_nonzeros", solver.factor_nonzeros());
-    said.push("distance", solver.at(&answer, from)?);
-    said.push("length", path.length);
+    said.push("distance", distance);
+    said.push("length", length);
     if costs.is_some() {
-        said.push("cost", path.cost);
+        said.push("cost", cost);
     }
-    said.push("points", path.points.iter().map(|point| json!(point.to_array())).collect::<Vec<_>>());
+    said.push("points", points.iter().map(|point| json!(point.to_array())).collect::<Vec<_>>());
     said.push(
         "timings_ms",
         json!({

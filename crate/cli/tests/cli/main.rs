@@ -10,6 +10,7 @@ mod fill;
 mod ground;
 mod isolines;
 mod joining;
+mod loops;
 mod method;
 mod options;
 mod paths;

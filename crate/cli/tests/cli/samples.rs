@@ -4,7 +4,7 @@ use std::fs;
 
 use serde_json::json;
 
-use crate::{folder, json as answered, refused};
+use crate::{folder, json as answered, refused, succeed};
 
 #[test]
 fn samples_of_a_square_are_its_corners_first() {
@@ -57,6 +57,10 @@ fn the_mean_of_places_of_a_square_is_theirs_in_the_plane() {
     let answer = answered(&folder, &["mean", "flat.ply", "--source", "0", "--source", "80@3", "--source", "8"]);
     let position: Vec<f64> = answer["position"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
     assert!((position[0] - 0.6).abs() < 1e-9 && (position[2] + 0.8).abs() < 1e-9, "{position:?}");
+    let told = succeed(&folder, &["mean", "flat.ply", "--source", "0", "--source", "80@3", "--source", "8"]);
+    let line = told.lines().find(|line| line.starts_with("position")).unwrap();
+    let told: Vec<f64> = line.split_whitespace().nth(1).unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+    assert_eq!(told, position);
     let place = answer["place"].as_str().unwrap();
     assert!(
         answered(&folder, &["walk", "flat.ply", "--from", place, "--direction", "1,0,0", "--length", "0.1"])

@@ -120,17 +120,21 @@ fn share(distance: f64, largest: f64) -> f32 {
     if distance < largest { (distance / largest) as f32 } else { f32::from(u8::from(distance > 0.0)) }
 }
 
-/// OBJ with the points of a path and one line through them.
-pub fn polyline_obj(points: &[DVec3]) -> Vec<u8> {
+/// OBJ with the points of paths and a line through those of each.
+pub fn polylines_obj(paths: &[Vec<DVec3>]) -> Vec<u8> {
     let mut text = String::from("# path on a surface by Heatwalk\n");
-    for point in points {
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "v {} {} {}", point.x, point.y, point.z);
+    let mut before = 0;
+    for points in paths {
+        for point in points {
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "v {} {} {}", point.x, point.y, point.z);
+        }
+        text.push('l');
+        for index in 1..=points.len() {
+            let _ = write!(text, " {}", before + index);
+        }
+        text.push('\n');
+        before += points.len();
     }
-    text.push('l');
-    for index in 1..=points.len() {
-        let _ = write!(text, " {index}");
-    }
-    text.push('\n');
     text.into_bytes()
 }

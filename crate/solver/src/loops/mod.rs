@@ -56,20 +56,20 @@ pub fn geodesic_loop<P: ToPoint>(geometry: &Arc<ExactGeometry>, places: &[P], pr
             let mut ways = Vec::new();
             for path in loops_at(geometry, first, progress)? {
                 for around in [path.reversed(surface), path] {
-                    let way = Path::joined(surface, &[back.clone(), around]);
-                    ways.extend(way.map(|way| straighten(surface, &way)).transpose()?);
+                    ways.push(straighten(surface, &back.followed_by(surface, &around))?);
                 }
             }
             let way = shortest(ways).ok_or(Error::Contractible)?;
-            Path::joined(surface, &[there, way]).ok_or(Error::Contractible)
+            Ok(there.followed_by(surface, &way))
         }
         _ => {
-            let mut legs = Vec::with_capacity(points.len());
-            for (index, from) in points.iter().enumerate() {
+            let mut path = shortest_path(geometry, points[0], &[points[1]])?;
+            for (index, from) in points.iter().enumerate().skip(1) {
                 report(progress, Stage::Searching { radius: 0.0 }, index as f64 / points.len() as f64)?;
-                legs.push(shortest_path(geometry, *from, &[points[(index + 1) % points.len()]])?);
+                let leg = shortest_path(geometry, *from, &[points[(index + 1) % points.len()]])?;
+                path = path.followed_by(surface, &leg);
             }
-            Path::joined(surface, &legs).ok_or(Error::NoSource)
+            Ok(path)
         }
     }
 }
@@ -119,11 +119,12 @@ fn loops_at(geometry: &Arc<ExactGeometry>, at: SurfacePoint, progress: Progress<
     let face = at.place().faces(surface)[0];
     let point = |location: Place| PathPoint { position: location.position(surface), location, face };
     let to_root = Path::new(surface, vec![point(at.place()), point(Place::Vertex(root))]);
+    let from_root = to_root.reversed(surface);
     let loops = least_loops(surface, &tree, Caps::Open).into_iter().map(|halfedge| {
         let around = along(surface, &tree.around(surface.mesh(), halfedge))?;
-        Ok(Path::joined(surface, &[to_root.clone(), around, to_root.reversed(surface)]))
+        Ok(to_root.followed_by(surface, &around).followed_by(surface, &from_root))
     });
-    Ok(loops.collect::<Result<Vec<_>>>()?.into_iter().flatten().collect())
+    loops.collect()
 }
 
 /// The closed path along half-edges of the mesh that follow each other.

@@ -54,7 +54,8 @@ fn straightened(surface: &Surface, path: &Path) -> Path {
 pub fn closed_geodesic(surface: &Surface, path: &Path) -> Result<Path> {
     surface.require_own(path.surface(), "path")?;
     if !path.is_closed(surface) {
-        return Err(Error::BadParameter { name: "the curve", value: "open".to_owned(), range: "closed" });
+        let range = "closed: each path begins where the one before ends";
+        return Err(Error::BadParameter { name: "curve", value: "open".to_owned(), range });
     }
     let hop = |pair: &[PathPoint]| !pair[1].location.lies_on(surface, pair[0].face);
     if let Some(hop) = path.points.windows(2).position(hop) {
