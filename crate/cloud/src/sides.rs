@@ -1,0 +1,142 @@
+//! Which triangles share sides, where no side has more than two.
+
+use std::f64::consts::{PI, TAU};
+
+use glam::DVec3;
+use heatwalk_base::csr::NONE;
+
+use crate::plane::Plane;
+
+/// Turns triangles so that they agree with their neighbours where all can, and each component so that it encloses a positive volume.
+/// Returns the loops of sides that one triangle has, each by its points: where several begin at one point, the next one is the first
+/// counterclockwise in its plane.
+pub fn orient(triangles: &mut [[u32; 3]], positions: &[DVec3], planes: &[Plane]) -> Vec<Vec<u32>> {
+    let mut sides = Sides::new(triangles);
+    sides.orient(triangles, positions);
+    sides.boundary_loops(triangles, |[before, at, after], next| {
+        let [from, behind, to] = [before, after, next].map(|vertex| {
+            let offset = positions[vertex as usize] - positions[at as usize];
+            planes[at as usize].angle(offset)
+        });
+        // The triangle there is on the left of its side: clockwise of where that comes from.
+        let inside = (from - behind).rem_euclid(TAU);
+        let ahead = (to - from).rem_euclid(TAU);
+        if inside <= PI { ahead } else { TAU - ahead }
+    })
+}
+
+/// Of side `k` of triangle `t`, from its corner `k` to the next one, at `3 t + k` the same side of the other triangle there; number
+/// [`NONE`] on the boundary.
+struct Sides(Vec<u32>);
+
+impl Sides {
+    fn new(triangles: &[[u32; 3]]) -> Self {
+        let mut sides: Vec<([u32; 2], u32)> = Vec::with_capacity(3 * triangles.len());
+        for (triangle, corners) in triangles.iter().enumerate() {
+            for k in 0..3 {
+                let [a, b] = [corners[k], corners[(k + 1) % 3]];
+                sides.push(([a.min(b), a.max(b)], (3 * triangle + k) as u32));
+            }
+        }
+        sides.sort_unstable();
+        let mut others = vec![NONE; sides.len()];
+        for pair in sides.chunk_by(|a, b| a.0 == b.0) {
+            if let [(_, a), (_, b)] = *pair {
+                others[a as usize] = b;
+                others[b as usize] = a;
+            }
+        }
+        Self(others)
+    }
+
+    fn other(&self, side: u32) -> Option<u32> {
+        Some(self.0[side as usize]).filter(|&other| other != NONE)
+    }
+
+    fn orient(&mut self, triangles: &mut [[u32; 3]], positions: &[DVec3]) {
+        let mut is_seen = vec![false; triangles.len()];
+        let mut component = Vec::new();
+        for start in 0..triangles.len() {
+            if std::mem::replace(&mut is_seen[start], true) {
+                continue;
+            }
+            component.clear();
+            component.push(start as u32);
+            let mut next = 0;
+            while let Some(&triangle) = component.get(next) {
+                next += 1;
+                for side in 3 * triangle..3 * triangle + 3 {
+                    let Some(other) = self.other(side) else { continue };
+                    let neighbour = other / 3;
+                    if std::mem::replace(&mut is_seen[neighbour as usize], true) {
+                        continue;
+                    }
+                    if start_of(triangles, side) == start_of(triangles, other) {
+                        self.flip(triangles, neighbour);
+                    }
+                    component.push(neighbour);
+                }
+            }
+            let center = positions[triangles[start][0] as usize];
+            let volume = |triangle: &u32| {
+                let [a, b, c] = triangles[*triangle as usize].map(|vertex| positions[vertex as usize] - center);
+                a.dot(b.cross(c))
+            };
+            if component.iter().map(volume).sum::<f64>() < 0.0 {
+                component.iter().for_each(|&triangle| self.flip(triangles, triangle));
+            }
+        }
+    }
+
+    /// Swaps the last two corners of a triangle, and so its first side and its last.
+    fn flip(&mut self, triangles: &mut [[u32; 3]], triangle: u32) {
+        triangles[triangle as usize].swap(1, 2);
+        let [first, last] = [3 * triangle, 3 * triangle + 2];
+        self.0.swap(first as usize, last as usize);
+        for side in [first, last] {
+            if let Some(other) = self.other(side) {
+                self.0[other as usize] = side;
+            }
+        }
+    }
+
+    /// `turn`: from the side of a triangle whose points are given, at its second one, how far it is to another side that begins there.
+    fn boundary_loops(&self, triangles: &[[u32; 3]], turn: impl Fn([u32; 3], u32) -> f64) -> Vec<Vec<u32>> {
+        let is_open = |&side: &u32| self.other(side).is_none();
+        let mut open: Vec<(u32, u32)> =
+            (0..self.0.len() as u32).filter(is_open).map(|side| (start_of(triangles, side), side)).collect();
+        open.sort_unstable();
+        let mut is_seen = vec![false; open.len()];
+        let mut loops = Vec::new();
+        for begin in 0..open.len() {
+            let (mut at, mut around) = (begin, Vec::new());
+            while !std::mem::replace(&mut is_seen[at], true) {
+                let (start, side) = open[at];
+                around.push(start);
+                let end = start_of(triangles, next(side));
+                let corners = [start, end, start_of(triangles, next(next(side)))];
+                let first = open.partition_point(|&(vertex, _)| vertex < end);
+                let ahead = open[first..].iter().take_while(|&&(vertex, _)| vertex == end);
+                let to = |at: usize| turn(corners, start_of(triangles, next(open[at].1)));
+                let choices = (first..first + ahead.count()).filter(|&at| !is_seen[at]);
+                match choices.min_by(|&a, &b| to(a).total_cmp(&to(b))) {
+                    Some(next) => at = next,
+                    None => break,
+                }
+            }
+            if !around.is_empty() {
+                loops.push(around);
+            }
+        }
+        loops
+    }
+}
+
+/// The next side of the same triangle.
+fn next(side: u32) -> u32 {
+    if side % 3 == 2 { side - 2 } else { side + 1 }
+}
+
+fn start_of(triangles: &[[u32; 3]], side: u32) -> u32 {
+    triangles[side as usize / 3][side as usize % 3]
+}

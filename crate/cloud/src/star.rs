@@ -1,0 +1,129 @@
+//! The triangles around a point in the Delaunay triangulation of its neighbours in the tangent plane: the corners of its Voronoi cell, which
+//! is clipped by the bisectors to one neighbour after the other until none farther away can reach it (Lévy and Bonneel, "Variational
+//! anisotropic surface meshing with Voronoi parallel linear enumeration", 2012).
+
+use glam::{DVec2, DVec3};
+
+use crate::plane::Plane;
+use crate::tree::{Near, Tree};
+
+/// Neighbours that planes are made of, as in Sharp and Crane (2020).
+const NEIGHBOURS: usize = 30;
+/// Neighbours that are asked for at most, where points lie unevenly and the nearest ones are all on one side.
+const MOST_NEIGHBOURS: usize = 120;
+/// Rounds in which the plane becomes that of the triangles found in it.
+const ROUNDS: usize = 2;
+/// Most radius of the circle around a triangle, in spacings: what is left open beyond is a hole.
+const WIDEST: f64 = 3.0;
+/// Where more than three points lie on a circle, which of their triangles are chosen is decided by weights of points, as they have in power
+/// diagrams, of this share of squared spacings; all stars have the same.
+const TIE: f64 = 1e-7;
+
+/// A corner of the cell, and the neighbour whose bisector is on the way to the next one; none on the border.
+#[derive(Clone, Copy)]
+struct Corner {
+    at: DVec2,
+    beside: Option<u32>,
+}
+
+/// Memory of the stars of one thread.
+#[derive(Default)]
+pub struct Stars {
+    near: Vec<Near>,
+    offsets: Vec<DVec3>,
+    cell: Vec<Corner>,
+    clipped: Vec<Corner>,
+}
+
+impl Stars {
+    /// The plane at a point, and the triangles around it, each by its two other corners in their order around the normal. No plane where
+    /// all neighbours lie on a line.
+    pub fn around(&mut self, tree: &Tree, positions: &[DVec3], point: u32) -> Option<(Plane, Vec<[u32; 2]>)> {
+        let place = positions[point as usize];
+        let mut count = NEIGHBOURS;
+        let plane = loop {
+            tree.nearest(place, count + 1, &mut self.near);
+            self.near.retain(|&(_, other)| other != point);
+            self.offsets.clear();
+            self.offsets.extend(self.near.iter().map(|&(_, other)| positions[other as usize] - place));
+            if let Some(plane) = Plane::of(&self.offsets[..self.offsets.len().min(NEIGHBOURS)])
+                && (self.clip(&plane, point) || count >= MOST_NEIGHBOURS || self.near.len() < count)
+            {
+                break plane;
+            }
+            if count >= MOST_NEIGHBOURS || self.near.len() < count {
+                return None;
+            }
+            count *= 2;
+        };
+        let mut plane = plane;
+        for _ in 0..ROUNDS {
+            let Some(better) = self.refined(&plane, positions, point) else { break };
+            plane = better;
+            self.clip(&plane, point);
+        }
+        let widest = (WIDEST * plane.spacing).powi(2);
+        let corners = self.cell.iter().zip(self.cell.iter().cycle().skip(1));
+        let triangle = |(before, corner): (&Corner, &Corner)| {
+            let is_narrow = corner.at.length_squared() <= widest;
+            before.beside.zip(corner.beside).filter(|_| is_narrow).map(|(a, b)| [a, b])
+        };
+        Some((plane, corners.filter_map(triangle).collect()))
+    }
+
+    /// The plane square to the mean normal of the triangles around the point.
+    fn refined(&self, plane: &Plane, positions: &[DVec3], point: u32) -> Option<Plane> {
+        let place = positions[point as usize];
+        let sides = self.cell.iter().zip(self.cell.iter().cycle().skip(1));
+        let areas = sides.filter_map(|(before, corner)| {
+            let [a, b] = [before.beside?, corner.beside?].map(|other| positions[other as usize] - place);
+            Some(a.cross(b))
+        });
+        areas.sum::<DVec3>().try_normalize().map(|normal| Plane { normal, ..*plane })
+    }
+
+    /// Clips the cell. Returns whether no farther neighbour could change it.
+    fn clip(&mut self, plane: &Plane, point: u32) -> bool {
+        let far = 2.0 * WIDEST * plane.spacing;
+        let border = [(-far, -far), (far, -far), (far, far), (-far, far)];
+        self.cell.clear();
+        self.cell.extend(border.map(|(x, y)| Corner { at: DVec2::new(x, y), beside: None }));
+        let tie = TIE * plane.spacing * plane.spacing;
+        for (&(squared, other), &offset) in self.near.iter().zip(&self.offsets) {
+            let reach = self.cell.iter().map(|corner| corner.at.length_squared()).fold(0.0, f64::max);
+            // Twice the cell's radius.
+            if squared > 4.0 * reach {
+                return true;
+            }
+            let Some(at) = plane.lay(offset) else { continue };
+            let level = 0.5 * (squared + tie * (weight(point) - weight(other)));
+            let beyond = |corner: &Corner| corner.at.dot(at) - level;
+            self.clipped.clear();
+            for (index, corner) in self.cell.iter().enumerate() {
+                let next = &self.cell[(index + 1) % self.cell.len()];
+                let [here, there] = [corner, next].map(beyond);
+                let crossing = || corner.at + (next.at - corner.at) * (here / (here - there));
+                match (here <= 0.0, there <= 0.0) {
+                    (true, true) => self.clipped.push(*corner),
+                    (true, false) => {
+                        self.clipped.push(*corner);
+                        self.clipped.push(Corner { at: crossing(), beside: Some(other) });
+                    }
+                    (false, true) => self.clipped.push(Corner { at: crossing(), beside: corner.beside }),
+                    (false, false) => {}
+                }
+            }
+            std::mem::swap(&mut self.cell, &mut self.clipped);
+        }
+        let reach = self.cell.iter().map(|corner| corner.at.length_squared()).fold(0.0, f64::max);
+        self.near.last().is_some_and(|last| last.0 >= 4.0 * reach)
+    }
+}
+
+/// A number from 0 to 1 for each point, without a pattern (the finalizer of SplitMix64: Steele, Lea, Flood 2014).
+fn weight(point: u32) -> f64 {
+    let mut bits = u64::from(point).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    (bits ^ (bits >> 31)) as f64 / u64::MAX as f64
+}
