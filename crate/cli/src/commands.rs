@@ -51,8 +51,7 @@ fn info(arguments: &Info) -> Result<String> {
     let (surface, build_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
     let mut report = Report::default();
     report.push_surface(surface.report());
-    report.push_unit(input.unit);
-    report.push_warnings(&input.file.soup.warnings);
+    input.tell(&mut report);
     let mut solver = DistanceSolver::on_threads(Arc::clone(&surface), arguments.mesh.threads());
     let join_ms = join(&mut solver, &arguments.bridging)?;
     report.push_joined(solver.joined());

@@ -43,8 +43,7 @@ pub fn fill(arguments: &Fill) -> Result<String> {
     }
     let mut report = Report::default();
     report.push_surface(surface.report());
-    report.push_unit(input.unit);
-    report.push_warnings(&input.file.soup.warnings);
+    input.tell(&mut report);
     push(&mut report, &filled.report, &estimate);
     report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "fill": fill_ms }));
     Ok(report.render(true))

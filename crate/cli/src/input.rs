@@ -1,18 +1,21 @@
 //! Mesh files and what they refer to.
 
+use std::num::NonZeroUsize;
 use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
-use heatwalk::{LengthUnit, UnitRule, Warning};
+use heatwalk::{LengthUnit, Soup, UnitRule, Warning};
+use heatwalk_cloud::{Cloud, Report as Joining, text};
 use heatwalk_model::{Error, Model, io};
 use heatwalk_shapes as shapes;
 use heatwalk_volume::io::{self as volume, Format};
+use serde_json::json;
 
 use crate::args::Mesh;
 use crate::complaint::complain;
 use crate::file;
-use crate::report::milliseconds;
+use crate::report::{Report, milliseconds, object};
 
 /// In place of a file: a shape by its name.
 pub const SHAPE: &str = "shape:";
@@ -26,16 +29,23 @@ pub struct Input {
     pub read_ms: f64,
     /// Of all of the file.
     pub unit: LengthUnit,
+    /// What was made of points without faces; none of a mesh.
+    pub cloud: Option<Joining>,
 }
 
 impl Input {
     /// A file, or a shape made in code; all of it where no parts are given. Of the lengths of a shape, nothing is assumed.
-    pub fn read(path: &Path, parts: &[usize], unit: UnitRule) -> Result<Self> {
+    pub fn read(path: &Path, parts: &[usize], unit: UnitRule, threads: NonZeroUsize) -> Result<Self> {
         let start = Instant::now();
         let shape = path.to_str().and_then(|path| path.strip_prefix(SHAPE));
-        let file = match shape {
+        let mut file = match shape {
             Some(name) => shapes::by_name(name)?,
             None => read_mesh(path)?,
+        };
+        let cloud = if file.soup.triangles.is_empty() {
+            Some(join(&mut file, path, threads)?)
+        } else {
+            None
         };
         let read_ms = milliseconds(start);
         let unit = match (shape, unit) {
@@ -43,13 +53,31 @@ impl Input {
             _ => file.soup.length_unit(unit),
         };
         tell(path, &file.soup.warnings);
+        if let Some(joining) = cloud {
+            complain(&format!("warning: {}, {joining}", path.display()));
+        }
         let model = if parts.is_empty() { file.clone() } else { file.chosen(parts)? };
-        Ok(Self { file, model, read_ms, unit })
+        Ok(Self { file, model, read_ms, unit, cloud })
+    }
+
+    /// Its unit, and what was left out of it or made of it.
+    pub fn tell(&self, report: &mut Report) {
+        report.push_unit(self.unit);
+        report.push_warnings(&self.file.soup.warnings);
+        if let Some(Joining { points, triangles, boundary_loops, unjoined_points }) = self.cloud {
+            let made = [
+                ("points", points),
+                ("triangles", triangles),
+                ("boundary_loops", boundary_loops),
+                ("unjoined_points", unjoined_points),
+            ];
+            report.push("cloud", object(made.map(|(name, count)| (name, json!(count)))));
+        }
     }
 
     /// What the arguments of a command name.
     pub fn of(arguments: &Mesh) -> Result<Self> {
-        let input = Self::read(&arguments.mesh, &arguments.parts, arguments.unit)?;
+        let input = Self::read(&arguments.mesh, &arguments.parts, arguments.unit, arguments.threads())?;
         let Some(name) = &arguments.animation else { return Ok(input) };
         let motion = &input.file.motion;
         let clip = motion.clip_named(name)?;
@@ -69,12 +97,26 @@ fn read_mesh(path: &Path) -> Result<Model> {
             let soup = volume::read_surface_within(file.budget, file.name, file.bytes, file.resources);
             return Ok(soup.with_context(|| path.display().to_string())?.into());
         }
-        match io::read_within(file.budget, file.name, file.bytes, file.resources) {
+        if text::names_points(file.name) {
+            let points = text::read_points(file.name, file.bytes).with_context(|| path.display().to_string())?;
+            return Ok(Soup { positions: points, ..Soup::default() }.into());
+        }
+        match io::read_mesh_or_points_within(file.budget, file.name, file.bytes, file.resources) {
             // It names the file itself.
             Err(error @ Error::UnknownFormat { .. }) => Err(error.into()),
             read => read.with_context(|| path.display().to_string()),
         }
     })
+}
+
+/// Makes a surface of points without faces.
+fn join(file: &mut Model, path: &Path, threads: NonZeroUsize) -> Result<Joining> {
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    let points = std::mem::take(&mut file.soup.positions);
+    let Cloud { soup, report } = Cloud::join(&name, points, threads).with_context(|| path.display().to_string())?;
+    let Soup { positions, triangles, parts, .. } = soup;
+    file.soup = Soup { positions, triangles, parts, ..std::mem::take(&mut file.soup) };
+    Ok(report)
 }
 
 /// A line on standard error for each warning.

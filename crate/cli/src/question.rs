@@ -62,8 +62,7 @@ fn with_bridges(
     let join_ms = join(&mut solver, bridging)?;
     let mut report = Report::default();
     report.push_surface(solver.whole().report());
-    report.push_unit(input.unit);
-    report.push_warnings(&input.file.soup.warnings);
+    input.tell(&mut report);
     report.push_joined(solver.joined());
     Ok((solver, report, built_ms + join_ms))
 }

@@ -138,6 +138,8 @@ impl Report {
             let name = name.replace('_', " ");
             // Writing to a String cannot fail.
             let _ = match value {
+                // That has been told on standard error.
+                Value::Object(_) if name == "cloud" => Ok(()),
                 Value::Object(timings) => timings.iter().try_for_each(|(stage, value)| {
                     let label = format!("{stage} (ms)");
                     writeln!(text, "{label:<22} {:.3}", value.as_f64().unwrap_or_default())

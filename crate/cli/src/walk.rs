@@ -42,8 +42,7 @@ pub fn walk(arguments: &Walk) -> Result<String> {
     }
     let mut report = Report::default();
     report.push_surface(surface.report());
-    report.push_unit(input.unit);
-    report.push_warnings(&input.file.soup.warnings);
+    input.tell(&mut report);
     if let Some(end) = path.points.last() {
         report.push("end", json!(end.position.to_array()));
         report.push("place", Place::of(end.location, end.face, soup, &surface).to_string());

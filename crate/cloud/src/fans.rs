@@ -27,6 +27,15 @@ impl<'a> Fans<'a> {
         Self { positions, planes, triangles: Vec::new(), last: vec![NONE; positions.len()], corners: Vec::new() }
     }
 
+    /// All of these, which fit.
+    pub fn of(positions: &'a [DVec3], planes: &'a [Plane], triangles: &[[u32; 3]]) -> Self {
+        let mut fans = Self::new(positions, planes);
+        for &triangle in triangles {
+            fans.add(triangle, [0, 1, 2].map(|k| fans.angle(triangle, k)));
+        }
+        fans
+    }
+
     /// Takes a triangle if it fits. Returns whether it does.
     pub fn take(&mut self, triangle: [u32; 3]) -> bool {
         let angles = [0, 1, 2].map(|k| self.angle(triangle, k));

@@ -22,10 +22,12 @@ mod circle;
 mod error;
 mod fans;
 mod holes;
+mod neighbours;
 mod plane;
 mod sides;
 mod star;
-mod tree;
+mod strays;
+pub mod text;
 
 use std::fmt;
 use std::num::NonZeroUsize;
@@ -39,10 +41,10 @@ pub use error::{Error, Result};
 
 use crate::circle::circumradius;
 use crate::fans::Fans;
+use crate::neighbours::Neighbours;
 use crate::plane::Plane;
-use crate::sides::orient;
+use crate::sides::{orient, without_flaps};
 use crate::star::Stars;
-use crate::tree::Tree;
 
 /// Bytes that joining takes at once, a point: positions twice, planes, and about six triangles, each found three times and then kept
 /// with its corners.
@@ -103,7 +105,8 @@ impl Cloud {
             return Err(Error::TooFew { points: points.len(), different: different.len() });
         }
         let positions: Vec<DVec3> = different.iter().map(|&point| points[point as usize]).collect();
-        let (planes, found) = stars(&positions, threads);
+        let neighbours = Neighbours::new(&positions);
+        let (planes, found) = stars(&positions, &neighbours, threads);
         if found.is_empty() {
             return Err(Error::Line { points: points.len() });
         }
@@ -111,18 +114,22 @@ impl Cloud {
         for (_, triangle) in ranked(&positions, found) {
             fans.take(triangle);
         }
+        let mut fans = Fans::of(&positions, &planes, &without_flaps(&fans.triangles, positions.len()));
         let holes = orient(&mut fans.triangles, &positions, &planes);
         holes::fill(&mut fans, &positions, holes);
-        let boundary_loops = orient(&mut fans.triangles, &positions, &planes).len();
         let mut triangles = fans.triangles;
+        let alone = unjoined(&triangles, positions.len());
+        strays::attach(&mut triangles, &positions, &planes, &neighbours, &alone);
+        let boundary_loops = orient(&mut triangles, &positions, &planes).len();
         let count = triangles.len();
-        let mut is_joined = vec![false; positions.len()];
-        triangles.as_flattened().iter().for_each(|&vertex| is_joined[vertex as usize] = true);
-        let joined = is_joined.iter().filter(|&&is_joined| is_joined).count();
+        let alone = unjoined(&triangles, positions.len());
+        let joined = positions.len() - alone.len();
         triangles.as_flattened_mut().iter_mut().for_each(|vertex| *vertex = different[*vertex as usize]);
-        let twins = twins
-            .into_iter()
-            .filter(|[first, _]| different.binary_search(first).is_ok_and(|position| is_joined[position]));
+        let is_joined = |first: u32| {
+            let position = different.binary_search(&first);
+            position.is_ok_and(|position| alone.binary_search(&(position as u32)).is_err())
+        };
+        let twins = twins.into_iter().filter(|&[first, _]| is_joined(first));
         triangles.extend(twins.map(|[first, twin]| [first, twin, twin]));
         let report = Report {
             points: points.len(),
@@ -152,14 +159,20 @@ fn different(points: &[DVec3]) -> (Vec<u32>, Vec<[u32; 2]>) {
     (firsts, twins)
 }
 
+/// The points on no triangle, ascending.
+fn unjoined(triangles: &[[u32; 3]], points: usize) -> Vec<u32> {
+    let mut is_joined = vec![false; points];
+    triangles.as_flattened().iter().for_each(|&vertex| is_joined[vertex as usize] = true);
+    (0..points as u32).filter(|&point| !is_joined[point as usize]).collect()
+}
+
 /// The planes of all points, and the triangles that they find around them, each as often as it is found, corners ascending.
-fn stars(positions: &[DVec3], threads: NonZeroUsize) -> (Vec<Plane>, Vec<[u32; 3]>) {
-    let tree = Tree::new((0..positions.len() as u32).map(|point| (positions[point as usize], point)));
+fn stars(positions: &[DVec3], neighbours: &Neighbours, threads: NonZeroUsize) -> (Vec<Plane>, Vec<[u32; 3]>) {
     let found = parallel::map(parallel::ranges(positions.len(), threads), |range| {
         let mut stars = Stars::default();
         let (mut planes, mut triangles) = (Vec::with_capacity(range.len()), Vec::new());
         for point in range.map(|point| point as u32) {
-            let (plane, around) = stars.around(&tree, positions, point).unwrap_or((Plane::NONE, Vec::new()));
+            let (plane, around) = stars.around(neighbours, positions, point).unwrap_or((Plane::NONE, Vec::new()));
             planes.push(plane);
             for [a, b] in around {
                 let mut triangle = [point, a, b];

@@ -5,8 +5,6 @@ use glam::{DMat3, DVec2, DVec3};
 
 /// Neighbours that tell how far apart points are.
 const NEAREST: usize = 6;
-/// Weights of neighbours fall off over so many spacings: enough points to even out noise, few of another sheet.
-const FALL_OFF: f64 = 1.5;
 /// Neighbours that lie off a first plane by more than this share of their distance are of another sheet, or beyond an edge.
 const STEEP: f64 = 0.6;
 /// Rounds after which off-diagonal entries are rounding.
@@ -25,13 +23,13 @@ impl Plane {
     pub const NONE: Self = Self { normal: DVec3::Z, spacing: 0.0 };
 
     /// By the offsets of neighbours, the nearest first; none where they lie on a line.
-    pub fn of(offsets: &[DVec3]) -> Option<Self> {
+    pub fn of(offsets: &[DVec3], fall_off: f64) -> Option<Self> {
         let nearest = &offsets[..offsets.len().min(NEAREST)];
         let spacing = nearest.iter().map(|offset| offset.length()).sum::<f64>() / nearest.len() as f64;
         if !(spacing > 0.0) {
             return None;
         }
-        let weight = |offset: DVec3| (-0.5 * (offset.length() / (FALL_OFF * spacing)).powi(2)).exp();
+        let weight = |offset: DVec3| (-0.5 * (offset.length() / (fall_off * spacing)).powi(2)).exp();
         let first = normal(offsets.iter().map(|&offset| (offset / spacing, weight(offset))))?;
         let is_beside = |offset: &&DVec3| first.dot(**offset).abs() <= STEEP * offset.length();
         let beside = offsets.iter().filter(is_beside).map(|&offset| (offset / spacing, weight(offset)));

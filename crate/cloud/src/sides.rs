@@ -4,8 +4,12 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 use heatwalk_base::csr::NONE;
+use heatwalk_base::union_find::UnionFind;
 
 use crate::plane::Plane;
+
+/// Triangles of the largest patch that is left out where it touches a larger one.
+const FEW: usize = 8;
 
 /// Turns triangles so that they agree with their neighbours where all can, and each component so that it encloses a positive volume.
 /// Returns the loops of sides that one triangle has, each by its points: where several begin at one point, the next one is the first
@@ -23,6 +27,27 @@ pub fn orient(triangles: &mut [[u32; 3]], positions: &[DVec3], planes: &[Plane])
         let ahead = (to - from).rem_euclid(TAU);
         if inside <= PI { ahead } else { TAU - ahead }
     })
+}
+
+/// The triangles without patches of a few of them that touch larger ones at points alone.
+pub fn without_flaps(triangles: &[[u32; 3]], points: usize) -> Vec<[u32; 3]> {
+    let (patch, count) = Sides::new(triangles).patches();
+    let mut sizes = vec![0_usize; count as usize];
+    patch.iter().for_each(|&patch| sizes[patch as usize] += 1);
+    let size = |triangle: usize| sizes[patch[triangle] as usize];
+    let mut largest = vec![0; points];
+    for (triangle, corners) in triangles.iter().enumerate() {
+        for &vertex in corners {
+            largest[vertex as usize] = largest[vertex as usize].max(size(triangle));
+        }
+    }
+    let mut is_flap = vec![false; count as usize];
+    for (triangle, corners) in triangles.iter().enumerate() {
+        let touches_larger = corners.iter().any(|&vertex| largest[vertex as usize] > size(triangle));
+        is_flap[patch[triangle] as usize] |= size(triangle) <= FEW && touches_larger;
+    }
+    let kept = triangles.iter().zip(&patch).filter(|&(_, &patch)| !is_flap[patch as usize]);
+    kept.map(|(&triangle, _)| triangle).collect()
 }
 
 /// Of side `k` of triangle `t`, from its corner `k` to the next one, at `3 t + k` the same side of the other triangle there; number
@@ -109,26 +134,36 @@ impl Sides {
         let mut is_seen = vec![false; open.len()];
         let mut loops = Vec::new();
         for begin in 0..open.len() {
-            let (mut at, mut around) = (begin, Vec::new());
-            while !std::mem::replace(&mut is_seen[at], true) {
+            // A walk comes back to where it began: at each point as many open sides begin as end.
+            let (mut next_open, mut walk) = (Some(begin).filter(|&begin| !is_seen[begin]), Vec::new());
+            while let Some(at) = next_open {
+                is_seen[at] = true;
                 let (start, side) = open[at];
-                around.push(start);
+                walk.push(start);
                 let end = start_of(triangles, next(side));
+                if let Some(closed) = walk.iter().position(|&vertex| vertex == end) {
+                    loops.push(walk.split_off(closed));
+                }
                 let corners = [start, end, start_of(triangles, next(next(side)))];
                 let first = open.partition_point(|&(vertex, _)| vertex < end);
-                let ahead = open[first..].iter().take_while(|&&(vertex, _)| vertex == end);
+                let count = open[first..].iter().take_while(|&&(vertex, _)| vertex == end).count();
                 let to = |at: usize| turn(corners, start_of(triangles, next(open[at].1)));
-                let choices = (first..first + ahead.count()).filter(|&at| !is_seen[at]);
-                match choices.min_by(|&a, &b| to(a).total_cmp(&to(b))) {
-                    Some(next) => at = next,
-                    None => break,
-                }
-            }
-            if !around.is_empty() {
-                loops.push(around);
+                let choices = (first..first + count).filter(|&at| !is_seen[at]);
+                next_open = choices.min_by(|&a, &b| to(a).total_cmp(&to(b)));
             }
         }
         loops
+    }
+
+    /// The number of the patch that each triangle is in: those that sides join, counted from 0.
+    fn patches(&self) -> (Vec<u32>, u32) {
+        let patches = UnionFind::new(self.0.len() / 3);
+        for side in 0..self.0.len() as u32 {
+            if let Some(other) = self.other(side) {
+                patches.join(side / 3, other / 3);
+            }
+        }
+        patches.sets()
     }
 }
 

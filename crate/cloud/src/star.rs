@@ -2,19 +2,31 @@
 //! is clipped by the bisectors to one neighbour after the other until none farther away can reach it (Lévy and Bonneel, "Variational
 //! anisotropic surface meshing with Voronoi parallel linear enumeration", 2012).
 
+use std::num::NonZeroUsize;
+
 use glam::{DVec2, DVec3};
 
 use crate::plane::Plane;
-use crate::tree::{Near, Tree};
+use crate::neighbours::{Near, Neighbours};
 
 /// Neighbours that planes are made of, as in Sharp and Crane (2020).
-const NEIGHBOURS: usize = 30;
+const NEIGHBOURS: NonZeroUsize = NonZeroUsize::new(30).expect("not 0");
 /// Neighbours that are asked for at most, where points lie unevenly and the nearest ones are all on one side.
-const MOST_NEIGHBOURS: usize = 120;
+const MOST_NEIGHBOURS: NonZeroUsize = NonZeroUsize::new(120).expect("not 0");
+/// Weights of neighbours fall off over so many spacings, for the planes to choose from: few leave out what is on another sheet, many even
+/// out noise.
+const FALL_OFFS: [f64; 3] = [0.8, 1.2, 2.0];
+/// What a missing triangle counts for, as an angle between two does by 1 less its cosine: less than a right angle, by which points at the
+/// end of a sheet would be joined to another one.
+const MISSING: f64 = 0.6;
+/// What a radius of a spacing of the largest circle around a triangle counts for.
+const WIDTH: f64 = 0.3;
 /// Rounds in which the plane becomes that of the triangles found in it.
 const ROUNDS: usize = 2;
 /// Most radius of the circle around a triangle, in spacings: what is left open beyond is a hole.
 const WIDEST: f64 = 3.0;
+/// Least cosine between the normals of triangles and planes: what is steeper goes from sheet to sheet.
+const STEEPEST: f64 = 0.35;
 /// Where more than three points lie on a circle, which of their triangles are chosen is decided by weights of points, as they have in power
 /// diagrams, of this share of squared spacings; all stars have the same.
 const TIE: f64 = 1e-7;
@@ -36,39 +48,63 @@ pub struct Stars {
 }
 
 impl Stars {
-    /// The plane at a point, and the triangles around it, each by its two other corners in their order around the normal. No plane where
-    /// all neighbours lie on a line.
-    pub fn around(&mut self, tree: &Tree, positions: &[DVec3], point: u32) -> Option<(Plane, Vec<[u32; 2]>)> {
+    /// The plane at a point, and the triangles around it, each by its two other corners in their order around the normal: of several planes
+    /// that in which the triangles are most like one sheet. None where all neighbours lie on a line.
+    pub fn around(&mut self, neighbours: &Neighbours, positions: &[DVec3], point: u32) -> Option<(Plane, Vec<[u32; 2]>)> {
         let place = positions[point as usize];
         let mut count = NEIGHBOURS;
-        let plane = loop {
-            tree.nearest(place, count + 1, &mut self.near);
+        loop {
+            neighbours.nearest(place, count.saturating_add(1), &mut self.near);
             self.near.retain(|&(_, other)| other != point);
             self.offsets.clear();
             self.offsets.extend(self.near.iter().map(|&(_, other)| positions[other as usize] - place));
-            if let Some(plane) = Plane::of(&self.offsets[..self.offsets.len().min(NEIGHBOURS)])
-                && (self.clip(&plane, point) || count >= MOST_NEIGHBOURS || self.near.len() < count)
-            {
-                break plane;
+            let mut best: Option<(f64, bool, Plane, Vec<[u32; 2]>)> = None;
+            for fall_off in FALL_OFFS {
+                let Some(mut plane) = Plane::of(&self.offsets[..self.offsets.len().min(NEIGHBOURS.get())], fall_off) else { continue };
+                let mut is_final = self.clip(&plane, point);
+                for _ in 0..ROUNDS {
+                    let Some(better) = self.refined(&plane, positions, point) else { break };
+                    plane = better;
+                    is_final = self.clip(&plane, point);
+                }
+                let (roughness, triangles) = self.triangles(&plane, positions, place);
+                if best.as_ref().is_none_or(|best| roughness < best.0) {
+                    best = Some((roughness, is_final, plane, triangles));
+                }
             }
-            if count >= MOST_NEIGHBOURS || self.near.len() < count {
-                return None;
+            let is_all = count >= MOST_NEIGHBOURS || self.near.len() < count.get();
+            match best {
+                Some((_, is_final, plane, triangles)) if is_final || is_all => return Some((plane, triangles)),
+                None if is_all => return None,
+                _ => count = MOST_NEIGHBOURS,
             }
-            count *= 2;
-        };
-        let mut plane = plane;
-        for _ in 0..ROUNDS {
-            let Some(better) = self.refined(&plane, positions, point) else { break };
-            plane = better;
-            self.clip(&plane, point);
         }
+    }
+
+    /// The triangles of the cell, and how far they are from one sheet: the sum of 1 less the cosine between each and the next one, and
+    /// of a constant for each that is missing.
+    fn triangles(&self, plane: &Plane, positions: &[DVec3], place: DVec3) -> (f64, Vec<[u32; 2]>) {
         let widest = (WIDEST * plane.spacing).powi(2);
+        let normal = |triangle: [u32; 2]| {
+            let [a, b] = triangle.map(|other| positions[other as usize] - place);
+            a.cross(b).normalize_or_zero()
+        };
         let corners = self.cell.iter().zip(self.cell.iter().cycle().skip(1));
         let triangle = |(before, corner): (&Corner, &Corner)| {
+            let triangle = [before.beside?, corner.beside?];
             let is_narrow = corner.at.length_squared() <= widest;
-            before.beside.zip(corner.beside).filter(|_| is_narrow).map(|(a, b)| [a, b])
+            let is_flat = normal(triangle).dot(plane.normal) >= STEEPEST;
+            (is_narrow && is_flat).then_some((triangle, corner.at.length()))
         };
-        Some((plane, corners.filter_map(triangle).collect()))
+        let found: Vec<Option<([u32; 2], f64)>> = corners.map(triangle).collect();
+        let pairs = found.iter().zip(found.iter().cycle().skip(1));
+        let turns = pairs.map(|pair| match pair {
+            (Some(one), Some(next)) => 1.0 - normal(one.0).dot(normal(next.0)),
+            _ => MISSING,
+        });
+        let widest = found.iter().flatten().fold(0.0, |widest: f64, triangle| widest.max(triangle.1));
+        let roughness = turns.sum::<f64>() + WIDTH * widest / plane.spacing;
+        (roughness, found.into_iter().flatten().map(|triangle| triangle.0).collect())
     }
 
     /// The plane square to the mean normal of the triangles around the point.

@@ -1,6 +1,6 @@
 //! Files without a mesh, and why there is none.
 
-use heatwalk_surface::Soup;
+use heatwalk_surface::{Soup, WarningCode};
 
 use crate::error::{Error, Result};
 
@@ -27,6 +27,13 @@ pub fn expect_mesh(name: &str, bytes: &[u8]) -> Result<()> {
         return instead("HTML", "this is a web page, not a mesh; download the file itself");
     }
     Ok(())
+}
+
+/// Whether a soup without triangles is points that a surface can be made of: not those that steer curves and surfaces of free form.
+pub fn is_cloud(soup: &Soup) -> bool {
+    let is_beside =
+        |code| matches!(code, WarningCode::LinesLeftOut | WarningCode::NoEnd | WarningCode::Trailing);
+    !soup.positions.is_empty() && soup.warnings.iter().all(|warning| is_beside(warning.code))
 }
 
 /// Why a file that was read holds no triangle: what was left out, or what there is instead.

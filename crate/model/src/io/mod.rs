@@ -101,6 +101,21 @@ pub fn read(name: &str, bytes: &[u8], resources: Resources) -> Result<Model> {
 /// # Errors
 /// As [`read`].
 pub fn read_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Model> {
+    let model = read_any_within(budget, name, bytes, resources)?;
+    if model.soup.triangles.is_empty() { Err(empty::reason(name, &model.soup)) } else { Ok(model) }
+}
+
+/// As [`read_within`], or points alone of a file that holds no triangles but points: those that faces would be between.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_mesh_or_points_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Model> {
+    let model = read_any_within(budget, name, bytes, resources)?;
+    let is_mesh_or_cloud = !model.soup.triangles.is_empty() || empty::is_cloud(&model.soup);
+    if is_mesh_or_cloud { Ok(model) } else { Err(empty::reason(name, &model.soup)) }
+}
+
+fn read_any_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Model> {
     let model = read_format(budget, name, bytes, resources);
     // A reader may do without a part that it could not read.
     budget.finish()?;
@@ -112,11 +127,7 @@ fn read_format(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) 
     let bytes = text::decoded(bytes)?;
     expect_mesh(name, bytes)?;
     let format = format_of(bytes, extension).ok_or_else(|| unknown(name, extension))?;
-    let model = (format.read)(budget, stem, bytes, resources)?;
-    if model.soup.triangles.is_empty() {
-        return Err(empty::reason(name, &model.soup));
-    }
-    Ok(model)
+    (format.read)(budget, stem, bytes, resources)
 }
 
 /// Converters read the formats that have no good reader in Rust.

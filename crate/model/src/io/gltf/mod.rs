@@ -76,6 +76,7 @@ fn read(budget: &Budget, bytes: &[u8], resources: Resources) -> Result<Model> {
         collector: Collector::default(),
         deformers: Vec::new(),
         warnings: Warnings::default(),
+        points: Vec::new(),
     };
     for &index in &scene.mesh_nodes {
         reading.add_node(index)?;
@@ -112,6 +113,8 @@ struct Reading<'a> {
     /// Of all vertices, where there are clips.
     deformers: Vec<Deformer>,
     warnings: Warnings,
+    /// Those of primitives that are points, as they stand.
+    points: Vec<DVec3>,
 }
 
 impl<'a> Reading<'a> {
@@ -152,6 +155,12 @@ impl<'a> Reading<'a> {
             let _loan = self.clips.is_empty().then(|| budget.loan());
             let Some(position) = primitive::triangles_over(primitive)? else {
                 self.warnings.add(WarningCode::LinesLeftOut, || format!("primitive {number} of node {index}"));
+                if let Some(position) = primitive::points_over(primitive) {
+                    let positions = self.accessors.vectors(position)?;
+                    let world_from_mesh = self.scene.world_from_node[index] * node_from_mesh;
+                    budget.reserve(&mut self.points, positions.len())?;
+                    self.points.extend(positions.into_iter().map(|at| world_from_mesh.transform_point3(at)));
+                }
                 continue;
             };
             let compressed = Compressed::of(primitive, self.accessors.buffers)?;
@@ -209,6 +218,10 @@ impl<'a> Reading<'a> {
         let vertices = self.soup.positions.len();
         for attribute in &mut self.soup.attributes {
             budget.resize(&mut attribute.values, vertices, f64::NAN)?;
+        }
+        if vertices == 0 {
+            // A cloud, of which surfaces can be made.
+            self.soup.positions = self.points;
         }
         let motion = Motion::new(self.scene.hierarchy.clone(), self.skins, self.deformers, self.clips)?;
         Ok(Model {

@@ -14,8 +14,17 @@ pub fn triangles_over(primitive: &Primitive) -> Result<Option<u32>> {
         Checked::Valid(_) => return Ok(None),
         Checked::Invalid => return Err(GLTF.at("primitive", "its mode is unknown; export the file again")),
     }
-    // A primitive without positions is allowed and shows nothing.
-    Ok(primitive.attributes.get(&Checked::Valid(Semantic::Positions)).map(|&index| number(index)))
+    Ok(positions(primitive))
+}
+
+/// The accessor of the positions if the primitive is made of points.
+pub fn points_over(primitive: &Primitive) -> Option<u32> {
+    positions(primitive).filter(|_| primitive.mode == Checked::Valid(Mode::Points))
+}
+
+/// A primitive without positions is allowed and shows nothing.
+fn positions(primitive: &Primitive) -> Option<u32> {
+    primitive.attributes.get(&Checked::Valid(Semantic::Positions)).map(|&index| number(index))
 }
 
 /// Appends the triangles of the primitive, whose `count` vertices start at `first`.

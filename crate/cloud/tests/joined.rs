@@ -1,0 +1,188 @@
+//! Surfaces of the vertices of shapes alone: complete, and with the distances that the shapes have.
+
+use std::f64::consts::PI;
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+use glam::{DVec3, dvec3};
+use heatwalk::exact::exact_distance;
+use heatwalk::{InputVertex, RelativeError, Soup, Surface, go_on};
+use heatwalk_cloud::{Cloud, Error};
+use heatwalk_shapes as shapes;
+use rand::{RngExt, SeedableRng};
+use rand_xoshiro::SplitMix64;
+
+fn joined(points: &[DVec3]) -> Cloud {
+    Cloud::join("cloud", points.to_vec(), NonZeroUsize::MIN).expect("a surface")
+}
+
+/// Exact distances of all points from the first.
+fn distances(soup: &Soup) -> Vec<f64> {
+    let surface = Arc::new(Surface::build(soup).expect("a surface"));
+    let distances = exact_distance(&surface, &[InputVertex(0)], &mut go_on).expect("distances");
+    surface.to_inputs(&distances, f64::INFINITY)
+}
+
+/// Joins the vertices of a shape. Returns the mean relative error of distances on what was made, against those on the shape.
+fn mean_error(shape: &Soup, loops: usize) -> f64 {
+    let cloud = joined(&shape.positions);
+    assert_eq!((cloud.report.unjoined_points, cloud.report.boundary_loops), (0, loops), "{}", cloud.report);
+    assert_eq!(cloud.soup.positions, shape.positions);
+    let surface = Surface::build(&cloud.soup).expect("a surface");
+    assert!(surface.is_oriented_manifold() && surface.report().flipped_faces == 0);
+    let known = Surface::build(shape).expect("a surface");
+    assert_eq!(surface.report().euler_characteristic, known.report().euler_characteristic);
+    RelativeError::between(&distances(&cloud.soup), &distances(shape)).mean
+}
+
+/// Each point moved by less than this share of `spacing` along each axis.
+fn noisy(points: &[DVec3], spacing: f64, share: f64) -> Vec<DVec3> {
+    let mut random = SplitMix64::seed_from_u64(5);
+    let mut move_by = || (2.0 * random.random::<f64>() - 1.0) * share * spacing;
+    points.iter().map(|&point| point + dvec3(move_by(), move_by(), move_by())).collect()
+}
+
+/// Of the points `(i, j)` of a square grid those that are chosen, lifted.
+fn sheet(cells: i32, chosen: impl Fn(i32, i32) -> bool, height: impl Fn(f64, f64) -> f64) -> Vec<DVec3> {
+    let places = (0..=cells).flat_map(|i| (0..=cells).map(move |j| (i, j))).filter(|&(i, j)| chosen(i, j));
+    let at = |(i, j)| [f64::from(i), f64::from(j)].map(|x| x / f64::from(cells));
+    places.map(at).map(|[x, y]| dvec3(x, y, height(x, y))).collect()
+}
+
+#[test]
+fn vertices_of_closed_shapes_alone_have_their_surface_and_distances() {
+    // That triangles are not those of the shape, on quads and elsewhere, is all the difference.
+    for (shape, most) in [
+        (shapes::icosphere(4), 1e-3),
+        (shapes::torus(1.0, 0.4, 60, 24), 3e-3),
+        (shapes::animal(0.05), 3e-3),
+        (shapes::horse(0.03), 3e-3),
+    ] {
+        let error = mean_error(&shape, 0);
+        assert!(error < most, "{error} on {}", shape.parts[0].name);
+    }
+}
+
+#[test]
+fn where_a_surface_ends_its_cloud_ends() {
+    assert!(mean_error(&shapes::hemisphere(24).select(&[0]).expect("the dome"), 1) < 1e-3);
+    assert!(mean_error(&shapes::terrain(96), 1) < 3e-3);
+    // A hole wider than some spacings stays one.
+    let ring = sheet(30, |i, j| (i - 15).pow(2) + (j - 15).pow(2) > 50, |_, _| 0.0);
+    assert_eq!(joined(&ring).report.boundary_loops, 2);
+}
+
+#[test]
+fn a_grid_in_a_plane_is_a_square_though_four_points_each_lie_on_a_circle() {
+    let points = sheet(20, |_, _| true, |_, _| 0.0);
+    let cloud = joined(&points);
+    assert_eq!((cloud.report.triangles, cloud.report.boundary_loops, cloud.report.unjoined_points), (800, 1, 0));
+    for (&point, distance) in points.iter().zip(distances(&cloud.soup)) {
+        assert!((distance - point.distance(points[0])).abs() < 1e-12);
+    }
+    // So few that all are on the boundary.
+    for cells in [1, 2] {
+        let cloud = joined(&sheet(cells, |_, _| true, |_, _| 0.0));
+        assert_eq!((cloud.report.triangles, cloud.report.boundary_loops), (2 * (cells * cells) as usize, 1));
+    }
+    let triangle = joined(&[DVec3::ZERO, DVec3::X, DVec3::Y]);
+    assert_eq!(triangle.report.triangles, 1);
+}
+
+#[test]
+fn noise_of_a_fifth_of_the_spacing_leaves_no_hole() {
+    let shape = shapes::icosphere(4);
+    let spacing = Surface::build(&shape).expect("a surface").mean_edge();
+    let cloud = joined(&noisy(&shape.positions, spacing, 0.2));
+    assert_eq!((cloud.report.unjoined_points, cloud.report.boundary_loops), (0, 0), "{}", cloud.report);
+    let error = RelativeError::between(&distances(&cloud.soup), &distances(&shape)).mean;
+    // Of the noise itself: a rough surface has longer paths.
+    assert!(error < 0.02, "{error}");
+}
+
+#[test]
+fn a_half_that_is_thinned_to_a_ninth_is_joined_to_the_other() {
+    let height = |x: f64, y: f64| 0.1 * (5.0 * x).sin() * (4.0 * y).cos();
+    let points = sheet(60, |i, j| i <= 30 || (i % 3 == 0 && j % 3 == 0), height);
+    let cloud = joined(&points);
+    assert_eq!((cloud.report.unjoined_points, cloud.report.boundary_loops), (0, 1), "{}", cloud.report);
+    assert_eq!(Surface::build(&cloud.soup).expect("a surface").report().euler_characteristic, 1);
+}
+
+#[test]
+fn two_sheets_three_spacings_apart_stay_apart() {
+    let height = |x: f64, y: f64| 0.1 * (3.0 * x).sin() * (4.0 * y).cos();
+    let lower = sheet(40, |_, _| true, height);
+    let upper = lower.iter().map(|&point| point + DVec3::Z * (3.0 / 40.0));
+    let cloud = joined(&lower.iter().copied().chain(upper).collect::<Vec<_>>());
+    assert_eq!((cloud.report.unjoined_points, cloud.report.boundary_loops), (0, 2), "{}", cloud.report);
+    assert_eq!(Surface::build(&cloud.soup).expect("a surface").report().components, 2);
+}
+
+#[test]
+fn points_of_one_place_are_one_and_those_that_are_nowhere_are_on_no_triangle() {
+    let shape = shapes::icosphere(3);
+    let mut points = shape.positions.clone();
+    points.extend([points[3], points[3], points[7], DVec3::NAN, dvec3(f64::INFINITY, 0.0, 0.0)]);
+    let cloud = joined(&points);
+    assert_eq!((cloud.report.points, cloud.report.unjoined_points), (points.len(), 2));
+    let found = distances(&cloud.soup);
+    let [first, rest] = [&found[..shape.positions.len()], &found[shape.positions.len()..]];
+    assert_eq!(rest, [first[3], first[3], first[7], f64::INFINITY, f64::INFINITY]);
+    // What is far from all others is on none either, and nothing leads there.
+    points.truncate(shape.positions.len());
+    points.push(DVec3::splat(40.0));
+    let cloud = joined(&points);
+    assert_eq!(cloud.report.unjoined_points, 1, "{}", cloud.report);
+    assert!(distances(&cloud.soup).last().is_some_and(|distance| distance.is_infinite()));
+}
+
+#[test]
+fn what_is_no_surface_is_refused() {
+    let refused = |points: Vec<DVec3>| Cloud::join("cloud", points, NonZeroUsize::MIN).expect_err("no surface");
+    assert_eq!(refused(Vec::new()), Error::TooFew { points: 0, different: 0 });
+    assert_eq!(refused(vec![DVec3::X]), Error::TooFew { points: 1, different: 1 });
+    assert_eq!(refused(vec![DVec3::X; 50]), Error::TooFew { points: 50, different: 1 });
+    assert_eq!(refused(vec![DVec3::NAN; 9]), Error::TooFew { points: 9, different: 0 });
+    for step in [dvec3(1.0, 0.0, 0.0), dvec3(0.3, -0.1, 0.7)] {
+        for count in [3, 100] {
+            let line = (0..count).map(|k| dvec3(5.0, 6.0, 7.0) + step * f64::from(k)).collect();
+            let error = refused(line);
+            assert_eq!(error, Error::Line { points: count as usize });
+            assert!(error.to_string().contains("lie on lines"));
+        }
+    }
+}
+
+#[test]
+fn size_and_threads_change_nothing() {
+    let shape = shapes::torus(1.0, 0.4, 120, 48);
+    let own = joined(&shape.positions);
+    let several = Cloud::join("cloud", shape.positions.clone(), NonZeroUsize::new(3).expect("three"));
+    assert_eq!(several.expect("a surface").soup, own.soup);
+    for size in [1e-9, 1e9] {
+        let scaled = joined(&shape.positions.iter().map(|&point| size * point).collect::<Vec<_>>());
+        assert_eq!(scaled.report, own.report, "{size}");
+    }
+    let far = joined(&shape.positions.iter().map(|&point| point + DVec3::splat(1e5)).collect::<Vec<_>>());
+    assert_eq!((far.report.unjoined_points, far.report.boundary_loops), (0, 0));
+}
+
+#[test]
+fn random_points_on_a_sphere_are_joined_to_one() {
+    let mut random = SplitMix64::seed_from_u64(3);
+    let mut share = || 2.0 * random.random::<f64>() - 1.0;
+    let points: Vec<DVec3> = (0..4000)
+        .map(|_| {
+            let (z, angle) = (share(), PI * share());
+            let out = (1.0 - z * z).sqrt();
+            dvec3(out * angle.cos(), out * angle.sin(), z)
+        })
+        .collect();
+    let cloud = joined(&points);
+    assert_eq!((cloud.report.unjoined_points, cloud.report.boundary_loops), (0, 0), "{}", cloud.report);
+    let known: Vec<f64> = points.iter().map(|point| point.angle_between(points[0])).collect();
+    let error = RelativeError::between(&distances(&cloud.soup), &known).mean;
+    // Chords are shorter than arcs.
+    assert!(error < 0.01, "{error}");
+}
