@@ -7,6 +7,9 @@ use heatwalk_base::csr::NONE;
 
 use crate::plane::Plane;
 
+/// Least cosine between the normal of a triangle and those of the planes at all of its points: one that is square to a plane goes from sheet to
+/// sheet.
+const UPRIGHT: f64 = 0.1;
 /// What triangles may overlap by, in radians: far more than rounding, far less than an angle.
 const TOUCH: f64 = 1e-6;
 
@@ -39,7 +42,9 @@ impl<'a> Fans<'a> {
     /// Takes a triangle if it fits. Returns whether it does.
     pub fn take(&mut self, triangle: [u32; 3]) -> bool {
         let angles = [0, 1, 2].map(|k| self.angle(triangle, k));
-        let fits = (0..3).all(|k| self.is_free(triangle[k], angles[k]));
+        let normal = self.normal(triangle);
+        let is_flat = |vertex: u32| normal.dot(self.planes[vertex as usize].normal).abs() >= UPRIGHT;
+        let fits = (0..3).all(|k| is_flat(triangle[k]) && self.is_free(triangle[k], angles[k]));
         if fits {
             self.add(triangle, angles);
         }

@@ -4,16 +4,23 @@ use glam::DVec3;
 
 use crate::circle::circumradius;
 use crate::fans::Fans;
+use crate::plane::Plane;
 
-/// Edges of the largest loop that is a hole.
-const LARGEST: usize = 24;
+/// Length of the longest loop that is a hole to be filled, in spacings of its points.
+const LONGEST: f64 = 24.0;
 
 /// Triangles that fill a hole fold back over those around it where their normals are farther apart than this cosine tells.
 const FOLDED: f64 = 0.0;
 
-/// Fills those of some boundary loops that have few edges, as far as triangles fit. Triangles agree in orientation.
-pub fn fill(fans: &mut Fans<'_>, positions: &[DVec3], loops: Vec<Vec<u32>>) {
-    for around in loops.into_iter().filter(|around| around.len() <= LARGEST) {
+/// Fills those of some boundary loops that are short, as far as triangles fit. Triangles agree in orientation.
+pub fn fill(fans: &mut Fans<'_>, positions: &[DVec3], planes: &[Plane], loops: Vec<Vec<u32>>) {
+    let is_short = |around: &Vec<u32>| {
+        let at = |k: usize| positions[around[k % around.len()] as usize];
+        let length: f64 = (0..around.len()).map(|k| at(k).distance(at(k + 1))).sum();
+        let spacing: f64 = around.iter().map(|&point| planes[point as usize].spacing).sum();
+        length * around.len() as f64 <= LONGEST * spacing
+    };
+    for around in loops.into_iter().filter(is_short) {
         cut_ears(fans, positions, around);
     }
 }

@@ -116,7 +116,7 @@ impl Cloud {
         }
         let mut fans = Fans::of(&positions, &planes, &without_flaps(&fans.triangles, positions.len()));
         let holes = orient(&mut fans.triangles, &positions, &planes);
-        holes::fill(&mut fans, &positions, holes);
+        holes::fill(&mut fans, &positions, &planes, holes);
         let mut triangles = fans.triangles;
         let alone = unjoined(&triangles, positions.len());
         strays::attach(&mut triangles, &positions, &planes, &neighbours, &alone);

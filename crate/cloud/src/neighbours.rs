@@ -22,10 +22,8 @@ impl Neighbours {
     pub fn new(positions: &[DVec3]) -> Self {
         let tree = Tree::new(positions.len());
         let order = tree.arranged(positions, (0..positions.len() as u32).collect());
-        let points: Vec<(DVec3, u32)> =
-            order.into_iter().map(|point| (positions[point as usize], point)).collect();
-        let bounds =
-            tree.values(|leaf| Bounds::of_points(points[leaf].iter().map(|point| point.0)), Bounds::around);
+        let points: Vec<(DVec3, u32)> = order.into_iter().map(|point| (positions[point as usize], point)).collect();
+        let bounds = tree.values(|leaf| Bounds::of_points(points[leaf].iter().map(|point| point.0)), Bounds::around);
         Self { tree, bounds, points }
     }
 

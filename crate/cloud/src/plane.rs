@@ -7,6 +7,8 @@ use glam::{DMat3, DVec2, DVec3};
 const NEAREST: usize = 6;
 /// Neighbours that lie off a first plane by more than this share of their distance are of another sheet, or beyond an edge.
 const STEEP: f64 = 0.6;
+/// Least cosine between the normals of triangles and planes: what is steeper goes from sheet to sheet.
+pub const STEEPEST: f64 = 0.35;
 /// Rounds after which off-diagonal entries are rounding.
 const SWEEPS: usize = 8;
 

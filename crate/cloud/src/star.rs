@@ -6,8 +6,8 @@ use std::num::NonZeroUsize;
 
 use glam::{DVec2, DVec3};
 
-use crate::plane::Plane;
 use crate::neighbours::{Near, Neighbours};
+use crate::plane::{Plane, STEEPEST};
 
 /// Neighbours that planes are made of, as in Sharp and Crane (2020).
 const NEIGHBOURS: NonZeroUsize = NonZeroUsize::new(30).expect("not 0");
@@ -20,13 +20,11 @@ const FALL_OFFS: [f64; 3] = [0.8, 1.2, 2.0];
 /// end of a sheet would be joined to another one.
 const MISSING: f64 = 0.6;
 /// What a radius of a spacing of the largest circle around a triangle counts for.
-const WIDTH: f64 = 0.3;
+const WIDTH: f64 = 0.5;
 /// Rounds in which the plane becomes that of the triangles found in it.
 const ROUNDS: usize = 2;
 /// Most radius of the circle around a triangle, in spacings: what is left open beyond is a hole.
 const WIDEST: f64 = 3.0;
-/// Least cosine between the normals of triangles and planes: what is steeper goes from sheet to sheet.
-const STEEPEST: f64 = 0.35;
 /// Where more than three points lie on a circle, which of their triangles are chosen is decided by weights of points, as they have in power
 /// diagrams, of this share of squared spacings; all stars have the same.
 const TIE: f64 = 1e-7;
@@ -50,7 +48,12 @@ pub struct Stars {
 impl Stars {
     /// The plane at a point, and the triangles around it, each by its two other corners in their order around the normal: of several planes
     /// that in which the triangles are most like one sheet. None where all neighbours lie on a line.
-    pub fn around(&mut self, neighbours: &Neighbours, positions: &[DVec3], point: u32) -> Option<(Plane, Vec<[u32; 2]>)> {
+    pub fn around(
+        &mut self,
+        neighbours: &Neighbours,
+        positions: &[DVec3],
+        point: u32,
+    ) -> Option<(Plane, Vec<[u32; 2]>)> {
         let place = positions[point as usize];
         let mut count = NEIGHBOURS;
         loop {
@@ -60,7 +63,10 @@ impl Stars {
             self.offsets.extend(self.near.iter().map(|&(_, other)| positions[other as usize] - place));
             let mut best: Option<(f64, bool, Plane, Vec<[u32; 2]>)> = None;
             for fall_off in FALL_OFFS {
-                let Some(mut plane) = Plane::of(&self.offsets[..self.offsets.len().min(NEIGHBOURS.get())], fall_off) else { continue };
+                let Some(mut plane) = Plane::of(&self.offsets[..self.offsets.len().min(NEIGHBOURS.get())], fall_off)
+                else {
+                    continue;
+                };
                 let mut is_final = self.clip(&plane, point);
                 for _ in 0..ROUNDS {
                     let Some(better) = self.refined(&plane, positions, point) else { break };
