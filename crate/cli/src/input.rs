@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
-use heatwalk::{LengthUnit, Soup, UnitRule, Warning};
+use heatwalk::{LengthUnit, Soup, UnitRule, Warning, WarningCode};
 use heatwalk_cloud::{Cloud, Report as Joining, text};
 use heatwalk_model::{Error, Model, io};
 use heatwalk_shapes as shapes;
@@ -42,11 +42,7 @@ impl Input {
             Some(name) => shapes::by_name(name)?,
             None => read_mesh(path)?,
         };
-        let cloud = if file.soup.triangles.is_empty() {
-            Some(join(&mut file, path, threads)?)
-        } else {
-            None
-        };
+        let cloud = if file.soup.triangles.is_empty() { Some(join(&mut file, path, threads)?) } else { None };
         let read_ms = milliseconds(start);
         let unit = match (shape, unit) {
             (Some(_), UnitRule::Automatic) => LengthUnit::default(),
@@ -116,6 +112,8 @@ fn join(file: &mut Model, path: &Path, threads: NonZeroUsize) -> Result<Joining>
     let Cloud { soup, report } = Cloud::join(&name, points, threads).with_context(|| path.display().to_string())?;
     let Soup { positions, triangles, parts, .. } = soup;
     file.soup = Soup { positions, triangles, parts, ..std::mem::take(&mut file.soup) };
+    // Points were not.
+    file.soup.warnings.retain(|warning| warning.code != WarningCode::LinesLeftOut);
     Ok(report)
 }
 

@@ -65,7 +65,8 @@ fn path_and_parts(mesh: &str) -> (&str, Vec<usize>) {
 
 fn measure(mesh: &str, arguments: &Table) -> Result<Measured> {
     let (path, parts) = path_and_parts(mesh);
-    let input = Input::read(Path::new(path), &parts, UnitRule::default(), NonZeroUsize::MIN).with_context(|| mesh.to_owned())?;
+    let input = Input::read(Path::new(path), &parts, UnitRule::default(), NonZeroUsize::MIN)
+        .with_context(|| mesh.to_owned())?;
     let (surface, build_ms) = build(&input, WeldRule::default(), ONE).with_context(|| mesh.to_owned())?;
     // The first vertex in the order of the file, wherever it is in memory.
     let source = surface.vertices_of_inputs().iter().flatten().next().copied().unwrap_or(VertexId(0));

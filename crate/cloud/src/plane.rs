@@ -28,7 +28,7 @@ impl Plane {
     pub fn of(offsets: &[DVec3], fall_off: f64) -> Option<Self> {
         let nearest = &offsets[..offsets.len().min(NEAREST)];
         let spacing = nearest.iter().map(|offset| offset.length()).sum::<f64>() / nearest.len() as f64;
-        if !(spacing > 0.0) {
+        if nearest.is_empty() {
             return None;
         }
         let weight = |offset: DVec3| (-0.5 * (offset.length() / (fall_off * spacing)).powi(2)).exp();
@@ -39,11 +39,13 @@ impl Plane {
         Some(Self { normal, spacing })
     }
 
-    /// Where an offset lies in the plane, as far from the origin as in space.
-    pub fn lay(&self, offset: DVec3) -> Option<DVec2> {
+    /// Where offsets lie in the plane, as far from the origin as in space.
+    pub fn lay(&self) -> impl Fn(DVec3) -> Option<DVec2> + use<> {
         let [x, y] = self.axes();
-        let flat = DVec2::new(x.dot(offset), y.dot(offset));
-        flat.try_normalize().map(|direction| direction * offset.length())
+        move |offset| {
+            let flat = DVec2::new(x.dot(offset), y.dot(offset));
+            flat.try_normalize().map(|direction| direction * offset.length())
+        }
     }
 
     /// The direction of an offset in the plane, counterclockwise around the normal, from −π to π.

@@ -15,7 +15,9 @@ const NEIGHBOURS: NonZeroUsize = NonZeroUsize::new(30).expect("not 0");
 const MOST_NEIGHBOURS: NonZeroUsize = NonZeroUsize::new(120).expect("not 0");
 /// Weights of neighbours fall off over so many spacings, for the planes to choose from: few leave out what is on another sheet, many even
 /// out noise.
-const FALL_OFFS: [f64; 3] = [0.8, 1.2, 2.0];
+const FALL_OFFS: [f64; 3] = [1.2, 0.8, 2.0];
+/// No further plane is tried where triangles are all there and turn so little, all in all, as 1 less cosines.
+const SMOOTH: f64 = 0.15;
 /// What a missing triangle counts for, as an angle between two does by 1 less its cosine: less than a right angle, by which points at the
 /// end of a sheet would be joined to another one.
 const MISSING: f64 = 0.6;
@@ -73,9 +75,12 @@ impl Stars {
                     plane = better;
                     is_final = self.clip(&plane, point);
                 }
-                let (roughness, triangles) = self.triangles(&plane, positions, place);
-                if best.as_ref().is_none_or(|best| roughness < best.0) {
-                    best = Some((roughness, is_final, plane, triangles));
+                let ([turns, width], triangles) = self.triangles(&plane, positions, place);
+                if best.as_ref().is_none_or(|best| turns + width < best.0) {
+                    best = Some((turns + width, is_final, plane, triangles));
+                }
+                if is_final && turns < SMOOTH {
+                    break;
                 }
             }
             let is_all = count >= MOST_NEIGHBOURS || self.near.len() < count.get();
@@ -87,9 +92,9 @@ impl Stars {
         }
     }
 
-    /// The triangles of the cell, and how far they are from one sheet: the sum of 1 less the cosine between each and the next one, and
-    /// of a constant for each that is missing.
-    fn triangles(&self, plane: &Plane, positions: &[DVec3], place: DVec3) -> (f64, Vec<[u32; 2]>) {
+    /// The triangles of the cell, and how far they are from one sheet: the sum of 1 less the cosine between each and the next one, with
+    /// a constant for each that is missing, and what the widest counts for.
+    fn triangles(&self, plane: &Plane, positions: &[DVec3], place: DVec3) -> ([f64; 2], Vec<[u32; 2]>) {
         let widest = (WIDEST * plane.spacing).powi(2);
         let normal = |triangle: [u32; 2]| {
             let [a, b] = triangle.map(|other| positions[other as usize] - place);
@@ -109,8 +114,8 @@ impl Stars {
             _ => MISSING,
         });
         let widest = found.iter().flatten().fold(0.0, |widest: f64, triangle| widest.max(triangle.1));
-        let roughness = turns.sum::<f64>() + WIDTH * widest / plane.spacing;
-        (roughness, found.into_iter().flatten().map(|triangle| triangle.0).collect())
+        let width = WIDTH * widest / plane.spacing;
+        ([turns.sum(), width], found.into_iter().flatten().map(|triangle| triangle.0).collect())
     }
 
     /// The plane square to the mean normal of the triangles around the point.
@@ -130,14 +135,14 @@ impl Stars {
         let border = [(-far, -far), (far, -far), (far, far), (-far, far)];
         self.cell.clear();
         self.cell.extend(border.map(|(x, y)| Corner { at: DVec2::new(x, y), beside: None }));
-        let tie = TIE * plane.spacing * plane.spacing;
+        let (laid, tie) = (plane.lay(), TIE * plane.spacing * plane.spacing);
         for (&(squared, other), &offset) in self.near.iter().zip(&self.offsets) {
             let reach = self.cell.iter().map(|corner| corner.at.length_squared()).fold(0.0, f64::max);
             // Twice the cell's radius.
             if squared > 4.0 * reach {
                 return true;
             }
-            let Some(at) = plane.lay(offset) else { continue };
+            let Some(at) = laid(offset) else { continue };
             let level = 0.5 * (squared + tie * (weight(point) - weight(other)));
             let beyond = |corner: &Corner| corner.at.dot(at) - level;
             self.clipped.clear();

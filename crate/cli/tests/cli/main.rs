@@ -2,6 +2,7 @@
 
 mod animations;
 mod cells;
+mod clouds;
 mod curves;
 mod directions;
 mod exact;

@@ -11,6 +11,7 @@ fn bad_usage_and_bad_input_take_one_line() {
     fs::write(folder.join("noise.glb"), b"glTF\x02\0\0\0\xff\xff\xff\xff\xff\xff\xff\xffJSON{").unwrap();
     fs::write(folder.join("empty.off"), "").unwrap();
     fs::write(folder.join("text.txt"), "hello").unwrap();
+    fs::write(folder.join("text.doc"), "hello").unwrap();
     for (arguments, hint) in [
         (&[][..], "give a command"),
         (&["fly"], "fly"),
@@ -21,7 +22,8 @@ fn bad_usage_and_bad_input_take_one_line() {
         (&["info", "cut.ply"], "cut short"),
         (&["info", "noise.glb"], "cut short"),
         (&["info", "empty.off"], "empty.off"),
-        (&["info", "text.txt"], "not a mesh format"),
+        (&["info", "text.txt"], "a point needs three numbers"),
+        (&["info", "text.doc"], "not a mesh format"),
         (&["info", "torus.ply", "--part", "1"], "part 1"),
         (&["distance", "torus.ply"], "--source"),
         (&["distance", "torus.ply", "--source", "288"], "288"),

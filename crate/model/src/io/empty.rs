@@ -31,8 +31,7 @@ pub fn expect_mesh(name: &str, bytes: &[u8]) -> Result<()> {
 
 /// Whether a soup without triangles is points that a surface can be made of: not those that steer curves and surfaces of free form.
 pub fn is_cloud(soup: &Soup) -> bool {
-    let is_beside =
-        |code| matches!(code, WarningCode::LinesLeftOut | WarningCode::NoEnd | WarningCode::Trailing);
+    let is_beside = |code| matches!(code, WarningCode::LinesLeftOut | WarningCode::NoEnd | WarningCode::Trailing);
     !soup.positions.is_empty() && soup.warnings.iter().all(|warning| is_beside(warning.code))
 }
 

@@ -221,6 +221,14 @@ fn strips_fans_lists_and_what_is_no_surface() {
     builder.root["meshes"][0]["primitives"][0]["mode"] = json!(1);
     let lines = builder.read().unwrap_err().to_string();
     assert!(lines.contains("mesh.glb holds no faces: 1 point or line was left out"), "{lines}");
+    builder.root["meshes"][0]["primitives"][0]["mode"] = json!(0);
+    builder.root["nodes"][0]["translation"] = json!([0, 0, 5]);
+    assert!(builder.read().unwrap_err().to_string().contains("1 point or line was left out"));
+    let file = builder.glb();
+    let budget = io::Budget::of_file(file.len());
+    let cloud = io::read_mesh_or_points_within(&budget, "mesh.glb", &file, &|_| None).unwrap().soup;
+    assert!(cloud.triangles.is_empty() && cloud.positions.len() == 4);
+    assert!(cloud.positions.iter().all(|position| position.z == 5.0));
     for nodes in [json!([]), json!([{ "name": "empty" }])] {
         let hidden = square(nodes).read().unwrap_err().to_string();
         assert!(hidden.contains("no node of the scene that is shown has a mesh"), "{hidden}");
