@@ -6,15 +6,14 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
 use heatwalk::{LengthUnit, Soup, UnitRule, Warning, WarningCode};
-use heatwalk_cloud::{Cloud, Report as Joining, text};
-use heatwalk_model::{Error, Model, io};
+use heatwalk_cloud::{Cloud, Report as Joining};
+use heatwalk_files::read_surface_or_points;
+use heatwalk_model::Model;
 use heatwalk_shapes as shapes;
-use heatwalk_volume::io::{self as volume, Format};
 use serde_json::json;
 
 use crate::args::Mesh;
 use crate::complaint::complain;
-use crate::file;
 use crate::report::{Report, milliseconds, object};
 
 /// In place of a file: a shape by its name.
@@ -40,7 +39,7 @@ impl Input {
         let shape = path.to_str().and_then(|path| path.strip_prefix(SHAPE));
         let mut file = match shape {
             Some(name) => shapes::by_name(name)?,
-            None => read_mesh(path)?,
+            None => read_surface_or_points(path)?,
         };
         let cloud = if file.soup.triangles.is_empty() { Some(join(&mut file, path, threads)?) } else { None };
         let read_ms = milliseconds(start);
@@ -85,24 +84,6 @@ impl Input {
         );
         Ok(Self { model: input.model.posed(clip, seconds)?, ..input })
     }
-}
-
-fn read_mesh(path: &Path) -> Result<Model> {
-    file::open(path, |file| {
-        if Format::of_name(file.name).is_some() {
-            let soup = volume::read_surface_within(file.budget, file.name, file.bytes, file.resources);
-            return Ok(soup.with_context(|| path.display().to_string())?.into());
-        }
-        if text::names_points(file.name) {
-            let points = text::read_points(file.name, file.bytes).with_context(|| path.display().to_string())?;
-            return Ok(Soup { positions: points, ..Soup::default() }.into());
-        }
-        match io::read_mesh_or_points_within(file.budget, file.name, file.bytes, file.resources) {
-            // It names the file itself.
-            Err(error @ Error::UnknownFormat { .. }) => Err(error.into()),
-            read => read.with_context(|| path.display().to_string()),
-        }
-    })
 }
 
 /// Makes a surface of points without faces.

@@ -7,7 +7,6 @@ mod commands;
 mod complaint;
 mod curve;
 mod distance;
-mod file;
 mod fill;
 mod ground;
 mod input;

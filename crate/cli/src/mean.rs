@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{Mean as Found, SurfacePoint, go_on, mean as found};
+use heatwalk::{InputPlace, Mean as Found, SurfacePoint, go_on, mean as found};
 use serde_json::json;
 
 use crate::args::Mean;
@@ -27,7 +27,7 @@ pub fn mean(arguments: &Mean) -> Result<String> {
     let mean_ms = milliseconds(start);
     let surface = solver.surface();
     let face = place.faces(surface)[0];
-    report.push("place", Place::of(place, face, soup, surface).to_string());
+    report.push("place", Place::from(InputPlace::of(place, face, soup, surface)).to_string());
     report.push("position", json!(place.position(surface).to_array()));
     report.push("variance", variance);
     report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "mean": mean_ms }));

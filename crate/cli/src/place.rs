@@ -3,12 +3,9 @@
 use std::fmt;
 use std::str::FromStr;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, bail};
 use glam::DVec3;
-use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{
-    Element, FaceId, InputTriangle, InputVertex, Soup, Source, Surface, SurfacePoint, VertexId, edge_polyline,
-};
+use heatwalk::{Element, InputPlace, InputVertex, Soup, Source, Surface, SurfacePoint, VertexId, edge_polyline};
 
 /// A vertex `V`, or a place `F:b0,b1,b2` in a triangle or `T:b0,b1,b2,b3` in a tetrahedron, counted as in the file.
 #[derive(Debug, Clone, Copy)]
@@ -141,66 +138,31 @@ impl FromStr for Line {
     }
 }
 
+impl From<InputPlace> for Place {
+    fn from(place: InputPlace) -> Self {
+        match place {
+            InputPlace::Vertex(vertex) => Self::Vertex(vertex),
+            InputPlace::Triangle { triangle, weights } => Self::Triangle { triangle, weights },
+        }
+    }
+}
+
 impl Place {
     /// Fails early, before the surface is built, for a vertex or triangle that does not exist.
     pub fn check(&self, soup: &Soup) -> Result<()> {
-        let (vertices, triangles) = (soup.positions.len(), soup.triangles.len());
-        match *self {
-            Self::Vertex(vertex) if vertex >= vertices => Err(SurfaceError::NoSuchVertex { vertex, vertices }.into()),
-            Self::Triangle { triangle, .. } if triangle >= triangles => {
-                bail!("triangle {triangle} does not exist; there are {triangles}, counted from 0")
-            }
-            Self::Tetrahedron { .. } => bail!("four weights are for tetrahedra; a place in a triangle has three"),
-            Self::Vertex(_) | Self::Triangle { .. } => Ok(()),
-        }
+        Ok(self.of_surface()?.check(soup)?)
     }
 
-    /// A place of the surface that is on this face, counted as in the file.
-    pub fn of(place: heatwalk::Place, face: FaceId, soup: &Soup, surface: &Surface) -> Self {
-        if let heatwalk::Place::Vertex(vertex) = place {
-            return Self::Vertex(surface.inputs_of_vertex(vertex)[0].index());
-        }
-        let triangle = surface.triangle_of_face(face).index();
-        let (inputs, weights) = (surface.inputs_of_face(face), place.weights_in(surface, face));
-        let weight_of = |corner: u32| {
-            let k = inputs.iter().position(|input| input.0 == corner);
-            // Without the sign of a zero.
-            k.map_or(0.0, |k| weights[k]) + 0.0
-        };
-        Self::Triangle { triangle, weights: soup.triangles[triangle].map(weight_of) }
-    }
-
-    /// The point of the surface, after [`Place::check`].
+    /// The point of the surface.
     pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<SurfacePoint> {
+        Ok(self.of_surface()?.on(soup, surface)?)
+    }
+
+    fn of_surface(&self) -> Result<InputPlace> {
         match *self {
-            Self::Tetrahedron { .. } => self.check(soup).and_then(|()| bail!("a surface has no tetrahedra")),
-            Self::Vertex(vertex) => Ok(surface.point(InputVertex::from_index(vertex))?),
-            Self::Triangle { triangle, weights } => {
-                let Some(face) = surface.face_of_triangle(InputTriangle::from_index(triangle)) else {
-                    ensure!(
-                        soup.ranges().iter().any(|range| range.contains(&triangle)),
-                        "triangle {triangle} is in none of the chosen parts; choose another"
-                    );
-                    bail!("triangle {triangle} has no area or repeats an earlier one and was dropped; choose another");
-                };
-                // The face may have been flipped.
-                let [a, b, _] = soup.triangles[triangle].map(InputVertex);
-                let weight_of = |corner| {
-                    weights[if corner == a {
-                        0
-                    } else if corner == b {
-                        1
-                    } else {
-                        2
-                    }]
-                };
-                let place = heatwalk::Place::Face { face, weights: surface.inputs_of_face(face).map(weight_of) };
-                surface.point(place).map_err(|error| match error {
-                    // In the file's words.
-                    SurfaceError::BadWeights { .. } => SurfaceError::BadWeights { face: triangle, weights }.into(),
-                    error => error.into(),
-                })
-            }
+            Self::Vertex(vertex) => Ok(InputPlace::Vertex(vertex)),
+            Self::Triangle { triangle, weights } => Ok(InputPlace::Triangle { triangle, weights }),
+            Self::Tetrahedron { .. } => bail!("four weights are for tetrahedra; a place in a triangle has three"),
         }
     }
 }

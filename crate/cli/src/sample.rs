@@ -6,7 +6,7 @@ use std::time::Instant;
 use anyhow::Result;
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
-use heatwalk::{Element, SampleCount, Surface, VertexId, farthest_samples, go_on, relaxed};
+use heatwalk::{Element, InputPlace, SampleCount, Surface, VertexId, farthest_samples, go_on, relaxed};
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::SplitMix64;
 use serde_json::{Value, json};
@@ -46,7 +46,7 @@ pub fn sample(arguments: &Sample) -> Result<String> {
         radius = distances.iter().copied().fold(0.0, f64::max);
         places.extend(relaxed.iter().map(|sample| {
             let place = sample.place();
-            let written = Place::of(place, place.faces(&surface)[0], soup, &surface);
+            let written = Place::from(InputPlace::of(place, place.faces(&surface)[0], soup, &surface));
             (json!(written.to_string()), place.position(&surface))
         }));
     } else {

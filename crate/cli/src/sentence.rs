@@ -11,14 +11,11 @@ pub fn sentence(error: &Error) -> String {
 }
 
 fn code(error: &Error) -> Option<&'static str> {
-    error.chain().find_map(|cause| {
-        let model = || cause.downcast_ref::<heatwalk_model::Error>().map(heatwalk_model::Error::code);
-        let surface = || cause.downcast_ref::<heatwalk::surface::Error>().map(heatwalk::surface::Error::code);
+    let solver = error.chain().find_map(|cause| {
         let volume = || cause.downcast_ref::<heatwalk_volume::Error>().map(heatwalk_volume::Error::code);
-        let file = || cause.downcast_ref::<heatwalk_volume::io::Error>().map(heatwalk_volume::io::Error::code);
-        let solver = cause.downcast_ref::<heatwalk::Error>().map(heatwalk::Error::code);
-        solver.or_else(surface).or_else(model).or_else(volume).or_else(file)
-    })
+        cause.downcast_ref::<heatwalk::Error>().map(heatwalk::Error::code).or_else(volume)
+    });
+    solver.or_else(|| heatwalk_files::code(error))
 }
 
 fn remedy(code: &str) -> Option<&'static str> {

@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use anyhow::{Result, bail};
-use heatwalk::{Element, InputTriangle, Straightest, straightest};
+use anyhow::Result;
+use heatwalk::{InputPlace, Straightest, straightest};
 use serde_json::json;
 
 use crate::args::Walk;
@@ -26,13 +26,7 @@ pub fn walk(arguments: &Walk) -> Result<String> {
     }
     let (surface, build_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
     let from = arguments.from.on(soup, &surface)?;
-    let face = match arguments.triangle {
-        None => None,
-        Some(triangle) => match surface.face_of_triangle(InputTriangle::from_index(triangle)) {
-            Some(face) => Some(face),
-            None => bail!("triangle {triangle} is none of the surface; choose another"),
-        },
-    };
+    let face = arguments.triangle.map(|triangle| surface.require_face(soup, triangle)).transpose()?;
     let start = Instant::now();
     let Straightest { path, direction, is_at_boundary } =
         straightest(&surface, from, face, arguments.direction, arguments.length)?;
@@ -45,7 +39,7 @@ pub fn walk(arguments: &Walk) -> Result<String> {
     input.tell(&mut report);
     if let Some(end) = path.points.last() {
         report.push("end", json!(end.position.to_array()));
-        report.push("place", Place::of(end.location, end.face, soup, &surface).to_string());
+        report.push("place", Place::from(InputPlace::of(end.location, end.face, soup, &surface)).to_string());
     }
     report.push("direction", json!(direction.to_array()));
     report.push("length", path.length());

@@ -99,9 +99,10 @@ pub use footprint::{footprint, require_room};
 pub use heat::{Factorization, HeatSolver, Query, Refinement};
 pub use heatwalk_sparse::{Progress, Stage, go_on};
 pub use heatwalk_surface::{
-    BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputTriangle,
-    InputVertex, LengthUnit, Link, Path, PathPoint, Place, Portal, SNAP, Soup, Source, Surface, SurfaceId,
-    SurfacePoint, ToPoint, ToSource, Unit, UnitRule, VertexData, VertexId, Walls, Warning, WarningCode, WeldRule,
+    BridgeRule, Bridges, BuildReport, CutVertex, Element, FaceData, FaceId, HalfedgeId, HalfedgeMesh, InputPlace,
+    InputTriangle, InputVertex, LengthUnit, Link, NearestPlaces, Path, PathPoint, Place, Portal, SNAP, Soup, Source,
+    Surface, SurfaceId, SurfacePoint, ToPoint, ToSource, Unit, UnitRule, VertexData, VertexId, Walls, Warning,
+    WarningCode, WeldRule,
 };
 pub use loops::{geodesic_loop, handle_loops};
 pub use mean::{Mean, mean, relaxed};

@@ -76,6 +76,26 @@ pub enum Error {
         /// Vertex of the input, counted from 0.
         vertex: usize,
     },
+    /// There is no such triangle of the input.
+    #[error("triangle {triangle} does not exist; there are {triangles}, counted from 0")]
+    NoSuchTriangle {
+        /// The triangle asked for.
+        triangle: usize,
+        /// Number of triangles.
+        triangles: usize,
+    },
+    /// A triangle of the input is in none of the parts that make the surface.
+    #[error("triangle {triangle} is in none of the chosen parts; choose another")]
+    InactiveTriangle {
+        /// Triangle of the input, counted from 0.
+        triangle: usize,
+    },
+    /// A triangle of the input became no face.
+    #[error("triangle {triangle} has no area or repeats an earlier one and was dropped; choose another")]
+    DroppedTriangle {
+        /// Triangle of the input, counted from 0.
+        triangle: usize,
+    },
     /// A path along edges was to go where there is no edge.
     #[error("vertex {vertex} has no edge to the vertex before it on the path")]
     NotAdjacent {

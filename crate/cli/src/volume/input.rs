@@ -1,16 +1,15 @@
 //! Files of tetrahedra and what refers to them on the command line.
 
-use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context, Result, bail, ensure};
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{MultiSource, UnitRule, VertexId, WeldRule};
-use heatwalk_volume::io::{self, CellCounts, Error, Format, TetFile};
+use heatwalk_files::read_tetrahedra;
+use heatwalk_volume::io::{CellCounts, TetFile};
 use heatwalk_volume::{TetMesh, TetPoint, TetSoup, TetSource, VolumeOptions, edge_polyline, shapes};
 
 use crate::args::{Bridging, Mesh, Solving};
-use crate::file;
 use crate::input::SHAPE;
 use crate::place::{Line, Place, SourcePlace};
 use crate::report::milliseconds;
@@ -36,7 +35,7 @@ impl Input {
         let path = &arguments.mesh;
         let file = match path.to_str().and_then(|path| path.strip_prefix(SHAPE)) {
             Some(name) => shapes::by_name(name).map(|soup| TetFile { soup, cells: CellCounts::default() }),
-            None => read(path)?,
+            None => read_tetrahedra(path)?,
         };
         let Some(TetFile { soup, cells }) = file else { return Ok(None) };
         let given = [
@@ -48,24 +47,6 @@ impl Input {
         refuse(&given)?;
         Ok(Some(Self { soup, cells, read_ms: milliseconds(start) }))
     }
-}
-
-/// The tetrahedra of a file; none where it is of a format of surfaces, or its cells are those of a surface.
-fn read(path: &Path) -> Result<Option<TetFile>> {
-    if !file::may_hold_tetrahedra(path) {
-        return Ok(None);
-    }
-    file::open(path, |file| {
-        if Format::of_name(file.name).is_none() {
-            return Ok(None);
-        }
-        match io::read_within(file.budget, file.name, file.bytes, file.resources) {
-            Ok(file) => Ok(Some(file)),
-            // It may be a surface; what is wrong with it otherwise is told by the reader of surfaces.
-            Err(Error::NoTetrahedra { .. }) => Ok(None),
-            Err(error) => Err(error).with_context(|| path.display().to_string()),
-        }
-    })
 }
 
 /// Refuses options that are for surfaces.

@@ -24,6 +24,7 @@ mod walls;
 
 pub use links::Link;
 pub use rule::BridgeRule;
+pub(crate) use triangles::nearest_on_triangle;
 
 use heatwalk_base::union_find::UnionFind;
 

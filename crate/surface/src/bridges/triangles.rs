@@ -107,7 +107,7 @@ pub fn nearest_on_segment(point: DVec3, [start, end]: [DVec3; 2]) -> f64 {
 /// The point of a triangle that is nearest to a point: below it, or else on a side. `normal`: twice the area, along the unit
 /// normal.
 #[inline]
-fn nearest_on_triangle(from: DVec3, triangle: &Triangle, normal: DVec3) -> [f64; 3] {
+pub fn nearest_on_triangle(from: DVec3, triangle: &Triangle, normal: DVec3) -> [f64; 3] {
     if let Some(weights) = weights_inside(from, triangle, normal) {
         return weights;
     }

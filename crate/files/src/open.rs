@@ -1,4 +1,4 @@
-//! Mesh files as readers take them: unpacked, with the files that they refer to.
+//! Mesh files as readers take them.
 
 use std::fs;
 use std::io::Read;
@@ -20,19 +20,34 @@ const NAMED: usize = 5;
 pub struct MeshFile<'a> {
     /// Its name without that of its folder, and without `.gz`.
     pub name: &'a str,
+    /// What it holds.
     pub bytes: &'a [u8],
     /// By the size of the file on the disk.
     pub budget: &'a Budget,
+    /// What it refers to, beside or below it.
     pub resources: Resources<'a>,
 }
 
 /// Reads a file, which may be packed by gzip (`.gz`), or an archive with one mesh and what that refers to (`.zip`).
+///
+/// # Errors
+/// Where the file cannot be read or unpacked, and those of `read`.
 pub fn open<T>(path: &Path, read: impl FnOnce(MeshFile) -> Result<T>) -> Result<T> {
     let bytes = read_file(path).with_context(|| format!("cannot read {}", path.display()))?;
+    opened(path, &bytes, path.parent(), read)
+}
+
+/// The same of the bytes of a file. `folder`: where that is from which it may bring in others.
+pub fn opened<T>(
+    path: &Path,
+    bytes: &[u8],
+    folder: Option<&Path>,
+    read: impl FnOnce(MeshFile) -> Result<T>,
+) -> Result<T> {
     let budget = &Budget::of_file(bytes.len());
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     if has_extension(&name, "zip") && bytes.starts_with(io::ARCHIVE_MAGIC) {
-        let archive = Archive::open(budget, "ZIP", &bytes).with_context(|| path.display().to_string())?;
+        let archive = Archive::open(budget, "ZIP", bytes).with_context(|| path.display().to_string())?;
         if let Some(mesh) = mesh_of(&archive).with_context(|| path.display().to_string())? {
             let bytes = archive.read(mesh).with_context(|| path.display().to_string())?;
             let name = mesh.rsplit('/').next().unwrap_or(mesh);
@@ -40,16 +55,15 @@ pub fn open<T>(path: &Path, read: impl FnOnce(MeshFile) -> Result<T>) -> Result<
             return read(MeshFile { name, bytes: &bytes, budget, resources: &resources });
         }
     }
-    let folder = path.parent().unwrap_or(Path::new(""));
     let resources = |uri: &str| {
-        let file = is_beside(Path::new(uri)).then(|| read_file(&folder.join(uri)).ok()).flatten();
-        file.and_then(|bytes| budget.admit(bytes).ok())
+        let file = folder.filter(|_| is_beside(Path::new(uri)))?.join(uri);
+        read_file(&file).ok().and_then(|bytes| budget.admit(bytes).ok())
     };
     if bytes.starts_with(GZIP_MAGIC) {
-        let bytes = unpack(budget, &bytes).with_context(|| path.display().to_string())?;
+        let bytes = unpack(budget, bytes).with_context(|| path.display().to_string())?;
         return read(MeshFile { name: without_gz(&name), bytes: &bytes, budget, resources: &resources });
     }
-    read(MeshFile { name: &name, bytes: &bytes, budget, resources: &resources })
+    read(MeshFile { name: &name, bytes, budget, resources: &resources })
 }
 
 /// Whether the file may hold tetrahedra, by its name.
