@@ -6,7 +6,7 @@ use std::time::Instant;
 use anyhow::Result;
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
-use heatwalk::{Element, InputPlace, SampleCount, Surface, VertexId, farthest_samples, go_on, relaxed};
+use heatwalk::{Element, InputPlace, SampleCount, VertexId, farthest_samples, go_on, relaxed};
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::SplitMix64;
 use serde_json::{Value, json};
@@ -28,7 +28,7 @@ pub fn sample(arguments: &Sample) -> Result<String> {
     let surface = Arc::clone(solver.surface());
     let start = Instant::now();
     let first = match arguments.seed {
-        None => first_vertex(&surface),
+        None => surface.first_vertex(),
         Some(seed) => VertexId(SplitMix64::seed_from_u64(seed).random_range(0..surface.vertex_count() as u32)),
     };
     let count = match (arguments.count, arguments.radius) {
@@ -64,9 +64,4 @@ pub fn sample(arguments: &Sample) -> Result<String> {
     report.push("places", places.into_iter().map(|(place, _)| place).collect::<Vec<_>>());
     report.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "sample": sample_ms }));
     Ok(report.render(arguments.mesh.json))
-}
-
-/// That of the first vertex of the file that is on the surface.
-fn first_vertex(surface: &Surface) -> VertexId {
-    surface.vertices_of_inputs().iter().copied().flatten().next().unwrap_or(VertexId(0))
 }

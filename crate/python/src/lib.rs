@@ -1,7 +1,26 @@
-//! The Python package `heatwalk`.
+//! The Python package `heatwalk`: converts arrays, calls the solver, turns errors into exceptions. No algorithm lives here.
+
+mod answers;
+mod arrays;
+mod curves;
+mod directions;
+mod distance;
+mod errors;
+mod interrupt;
+mod mesh;
+mod options;
+mod paths;
+mod read;
+mod samples;
+mod sources;
+mod turn;
+
 use pyo3::prelude::*;
 
 #[pymodule]
-fn _heatwalk(_module: &Bound<'_, PyModule>) -> PyResult<()> {
-    Ok(())
+fn _heatwalk(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add_class::<mesh::Mesh>()?;
+    module.add_function(wrap_pyfunction!(read::read, module)?)?;
+    module.add_function(wrap_pyfunction!(read::shape, module)?)
 }

@@ -303,6 +303,11 @@ impl Surface {
         &self.vertex_of_input
     }
 
+    /// That of the first vertex of the input that is on the surface.
+    pub fn first_vertex(&self) -> VertexId {
+        self.vertex_of_input.iter().copied().flatten().next().unwrap_or(VertexId(0))
+    }
+
     /// Values of vertices in the order of the input's vertices; `absent` for those that no kept face uses.
     pub fn to_inputs(&self, values: &VertexData<f64>, absent: f64) -> Vec<f64> {
         self.vertex_of_input.iter().map(|vertex| vertex.map_or(absent, |vertex| values[vertex])).collect()

@@ -15,7 +15,7 @@ use heatwalk_sparse::{Progress, Stage, report};
 use heatwalk_surface::{FaceId, Place, Surface, SurfaceId, SurfacePoint, ToPoint};
 
 use crate::error::{Error, Result};
-use crate::exact::{ExactGeometry, shortest_path};
+use crate::exact::{ExactGeometry, interruptible_path};
 
 /// A straight line in a face.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,7 +64,7 @@ impl Curve {
     ) -> Result<Self> {
         Self::joined(geometry.surface(), places, is_closed, |[from, to], place| {
             report(progress, Stage::Searching { radius: 0.0 }, place as f64 / places.len() as f64)?;
-            let path = shortest_path(geometry, from, &[to])?;
+            let path = interruptible_path(geometry, from, &[to], progress)?;
             Ok(path.points.iter().map(|point| point.location).collect())
         })
     }

@@ -63,7 +63,7 @@ pub use wavefront::Wavefront;
 pub(crate) use wavefront::{WORK_BETWEEN_CALLS, checked_sources};
 pub(crate) use window::{Beam, Window, length};
 
-use heatwalk_sparse::Progress;
+use heatwalk_sparse::{Progress, Stage, go_on, report};
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{Path, ToPoint, ToSource, VertexData};
 
@@ -95,16 +95,35 @@ pub fn exact_distance<S: ToSource>(
 /// [`Error::NoSource`]; those of [`ToSource::to_source`] and [`ToPoint::to_point`];
 /// [`Error::OutOfMemory`]; [`Error::Unreachable`].
 pub fn shortest_path<S: ToSource>(geometry: &Arc<ExactGeometry>, from: impl ToPoint, sources: &[S]) -> Result<Path> {
+    interruptible_path(geometry, from, sources, &mut go_on)
+}
+
+/// The same, whose search goes on as long as `progress` lets it.
+///
+/// # Errors
+/// As [`shortest_path`]; [`Error::Cancelled`].
+pub(crate) fn interruptible_path<S: ToSource>(
+    geometry: &Arc<ExactGeometry>,
+    from: impl ToPoint,
+    sources: &[S],
+    progress: Progress<'_>,
+) -> Result<Path> {
     if sources.is_empty() {
         return Err(Error::NoSource);
     }
-    search(geometry, sources, from)?.path_from_target(0)
+    search(geometry, sources, from, progress)?.path_from_target(0)
 }
 
 /// A wavefront that has passed its only target, so that no path to it can get shorter.
-fn search<S: ToSource>(geometry: &Arc<ExactGeometry>, sources: &[S], target: impl ToPoint) -> Result<Wavefront> {
+fn search<S: ToSource>(
+    geometry: &Arc<ExactGeometry>,
+    sources: &[S],
+    target: impl ToPoint,
+    progress: Progress<'_>,
+) -> Result<Wavefront> {
     let mut wavefront = Wavefront::with_targets(Arc::clone(geometry), sources, &[target])?;
     while !wavefront.is_done() && wavefront.radius() <= wavefront.target_values()[0] {
+        report(progress, Stage::Searching { radius: wavefront.radius() }, 0.0)?;
         wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS)?;
     }
     Ok(wavefront)

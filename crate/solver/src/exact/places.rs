@@ -7,6 +7,7 @@
 
 use std::sync::Arc;
 
+use heatwalk_sparse::go_on;
 use heatwalk_surface::{FaceId, HalfedgeId, PathPoint, Place, Source, ToPoint, ToSource, VertexData, VertexId};
 
 use super::geometry::{ExactGeometry, Frame, after, before};
@@ -73,7 +74,7 @@ impl<'a> PlaceDistances<'a> {
         }
         match Lines::followed(self, place) {
             Some(lines) => Ok(lines.least),
-            None => Ok(search(self.geometry, &self.sources, place)?.target_values()[0]),
+            None => Ok(search(self.geometry, &self.sources, place, &mut go_on)?.target_values()[0]),
         }
     }
 
@@ -85,7 +86,7 @@ impl<'a> PlaceDistances<'a> {
         }
         match Lines::followed(self, place) {
             Some(lines) => Ok(lines.found.map(|found| found.end)),
-            None => Ok(search(self.geometry, &self.sources, place)?.source_of_target(0).map(End::Source)),
+            None => Ok(search(self.geometry, &self.sources, place, &mut go_on)?.source_of_target(0).map(End::Source)),
         }
     }
 

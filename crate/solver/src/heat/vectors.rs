@@ -46,6 +46,17 @@ impl VectorHeat {
         Ok(Self { surface: Arc::clone(surface), planes: frames.in_space(surface), frames, systems, diffusion })
     }
 
+    /// The tangent planes of vertices (`#V`), whose numbers those of the [connection Laplacian](Self::connection_laplacian) are. Where
+    /// the surface is no manifold, they are those of the first fan of each.
+    pub fn tangent_planes(&self) -> &[TangentPlane] {
+        &self.planes[..self.surface.vertex_count()]
+    }
+
+    /// That of the intrinsic Delaunay triangulation, `#V` of the half-edge mesh, whose first ones are those of the surface.
+    pub fn connection_laplacian(&self) -> ConnectionLaplacian {
+        ConnectionLaplacian::new(&self.frames, self.systems.operators())
+    }
+
     /// Vectors at points, carried to all vertices (`#V × 3`): each goes where its point is the nearest, in the plane of the normal of the
     /// vertex, and between two points lengths and directions go over into each other. Not numbers where no point reaches.
     ///

@@ -30,7 +30,7 @@ use crate::heat::HeatSolver;
 use crate::options::{Method, Parameters};
 use crate::propagation::PropagationOptions;
 use heatwalk_base::parallel;
-use heatwalk_sparse::{Progress, go_on};
+use heatwalk_sparse::Progress;
 use heatwalk_surface::{Source, Surface, ToSource, memory};
 use search::Search;
 
@@ -141,23 +141,45 @@ impl DistanceSolver {
         threads: NonZeroUsize,
         progress: Progress<'_>,
     ) -> Result<Vec<Answer>> {
+        self.map_from_each(sources, options, threads, |_, answer| answer, progress)
+    }
+
+    /// The same, of each of which no more is kept than what `map` makes of it; it is told the number of the source. Threads
+    /// call it as they have answers.
+    ///
+    /// # Errors
+    /// As [`Self::distance`], and then for all.
+    ///
+    /// # Panics
+    /// As [`Self::distances_from_each`].
+    pub fn map_from_each<S: ToSource, T: Send>(
+        &mut self,
+        sources: &[S],
+        options: &DistanceOptions,
+        threads: NonZeroUsize,
+        map: impl Fn(usize, Answer) -> T + Sync,
+        progress: Progress<'_>,
+    ) -> Result<Vec<T>> {
         let sources = self.checked(sources)?;
         self.prepare(options, progress)?;
         let (count, threads) = (sources.len(), threads.get().min(sources.len()));
         let (geometry, cost) = self.asked();
         let (options, scaled) = (&options.per(cost), self.per(cost, &sources)?);
-        let answers = if let Some(propagation) = self.propagation(options)? {
-            let answer = |search: &mut Search, question: usize| {
-                search.answer(&geometry, &scaled[question..][..1], (options, propagation), &mut go_on)
+        let mapped = |number: usize, answer: Result<Answer>| {
+            Ok(map(number, Answer { sources: vec![sources[number]], ..answer?.times(cost) }))
+        };
+        if let Some(propagation) = self.propagation(options)? {
+            let answer = |search: &mut Search, number: usize, within: Progress<'_>| {
+                mapped(number, search.answer(&geometry, &scaled[number..][..1], (options, propagation), within))
             };
             questions::answers(self.searches(threads), count, answer, progress)
         } else {
             let heat = self.factored(options.heat, progress)?;
-            let answer = |heat: &mut &HeatSolver, question: usize| by_heat(heat, &geometry, &scaled[question..][..1]);
+            let answer = |heat: &mut &HeatSolver, number: usize, _: Progress<'_>| {
+                mapped(number, by_heat(heat, &geometry, &scaled[number..][..1]))
+            };
             questions::answers(&mut vec![heat; threads], count, answer, progress)
-        };
-        let asked = |(answer, source): (Answer, Source)| Answer { sources: vec![source], ..answer.times(cost) };
-        Ok(answers?.into_iter().zip(sources).map(asked).collect())
+        }
     }
 
     /// The surface that is asked: as walls part it, in the pose in which distances are measured.

@@ -1,0 +1,49 @@
+"""Geodesic distance, shortest paths and more on triangle meshes: exact, or by heat.
+
+>>> import heatwalk
+>>> mesh = heatwalk.shape("torus")
+>>> distances = mesh.distance(0)
+>>> path = mesh.path(0, int(distances.argmax()))
+>>> bool(abs(path.length - distances.max()) < 1e-9)
+True
+
+`Mesh` takes arrays, `read` files. `heatwalk.potpourri3d`, `heatwalk.pygeodesic` and `heatwalk.gdist` have the names of those
+packages.
+"""
+
+from heatwalk._answers import (
+    Answer,
+    Cells,
+    Curve,
+    Isoline,
+    LogMap,
+    Mean,
+    Path,
+    Place,
+    Samples,
+    Snapped,
+    TangentFrames,
+    Walk,
+)
+from heatwalk._errors import HeatwalkError
+from heatwalk._heatwalk import Mesh, __version__, read, shape
+
+__all__ = [
+    "Answer",
+    "Cells",
+    "Curve",
+    "HeatwalkError",
+    "Isoline",
+    "LogMap",
+    "Mean",
+    "Mesh",
+    "Path",
+    "Place",
+    "Samples",
+    "Snapped",
+    "TangentFrames",
+    "Walk",
+    "__version__",
+    "read",
+    "shape",
+]

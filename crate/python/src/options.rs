@@ -1,0 +1,78 @@
+//! Options by keyword, in the crates' names.
+
+use std::str::FromStr;
+
+use heatwalk::{DistanceOptions, Method, Parameters};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::{Failure, Result};
+
+/// Options of the heat method alone.
+const HEAT: [&str; 6] = ["operator", "solver", "time_step", "boundary", "multi_source", "exact_radius"];
+/// Those of searches.
+const SEARCH: [&str; 2] = ["windows", "max_distance"];
+
+/// What is asked of the solver. An option that the method does not heed is refused.
+pub fn distance_options(method: &str, given: Option<&Bound<'_, PyDict>>) -> Result<DistanceOptions> {
+    let mut options = DistanceOptions::by(parsed("method", method)?);
+    for (name, value) in given.into_iter().flatten() {
+        let name = name.to_string();
+        let heat = HEAT.contains(&name.as_str());
+        if !heat && !SEARCH.contains(&name.as_str()) {
+            let known = [&SEARCH[..], &HEAT[..]].concat().join(", ");
+            return Err(PyTypeError::new_err(format!("there is no option {name}; the options are {known}")).into());
+        }
+        let method = options.method;
+        let is_heeded = match name.as_str() {
+            _ if heat => method == Method::Heat,
+            "windows" => matches!(method, Method::Auto | Method::Propagation),
+            _ => method != Method::Heat,
+        };
+        if !is_heeded {
+            let sentence = if heat {
+                format!("{name} is an option of the heat method and has no effect with {method}; give method=\"heat\"")
+            } else {
+                format!("{name} has no effect with the method {method}")
+            };
+            return Err(Failure::new("bad-parameter", sentence));
+        }
+        let Parameters { operator, solver, time_step, boundary, sources, exact_radius, .. } = &mut options.heat;
+        match name.as_str() {
+            "windows" => options.windows = from(&name, &value)?,
+            "max_distance" => options.max_distance = number(&name, &value)?,
+            "operator" => *operator = from(&name, &value)?,
+            "solver" => *solver = from(&name, &value)?,
+            "time_step" => *time_step = from(&name, &value)?,
+            "boundary" => *boundary = from(&name, &value)?,
+            "multi_source" => *sources = from(&name, &value)?,
+            _ => *exact_radius = from(&name, &value)?,
+        }
+    }
+    Ok(options)
+}
+
+/// A choice by its name, a number, or a word in place of one.
+pub fn from<T: FromStr>(name: &str, value: &Bound<'_, PyAny>) -> Result<T>
+where
+    Failure: From<T::Err>,
+{
+    let is_told = value.extract::<&str>().is_ok() || value.extract::<f64>().is_ok();
+    if !is_told {
+        return Err(PyTypeError::new_err(format!("{name} is {}; give a string or a number", value.repr()?)).into());
+    }
+    parsed(name, &value.str()?.to_string())
+}
+
+fn parsed<T: FromStr>(_: &str, text: &str) -> Result<T>
+where
+    Failure: From<T::Err>,
+{
+    Ok(text.parse::<T>()?)
+}
+
+fn number(name: &str, value: &Bound<'_, PyAny>) -> Result<f64> {
+    let bad = |_| PyTypeError::new_err(format!("{name} is no number"));
+    Ok(value.extract().map_err(bad)?)
+}

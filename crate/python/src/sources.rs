@@ -1,0 +1,160 @@
+//! Places on a mesh as Python gives them.
+
+use glam::DVec3;
+use heatwalk::{InputPlace, Source, Surface, SurfacePoint};
+use numpy::PyUntypedArray;
+use pyo3::exceptions::PyUserWarning;
+use pyo3::prelude::*;
+use pyo3::types::{PyBool, PyFloat, PyInt};
+
+use crate::arrays::Given;
+use crate::errors::{Failure, Result};
+use crate::mesh::Mesh;
+
+const PLACE: &str = "a vertex, (face, (w0, w1, w2)) or three coordinates as floats";
+
+/// A place that may not be there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Wanted {
+    /// By vertices and faces.
+    On(InputPlace),
+    /// The place that is nearest to a point in space.
+    Near(DVec3),
+}
+
+/// One place: `name` in messages.
+pub fn one(name: &str, value: &Bound<'_, PyAny>) -> Result<Wanted> {
+    match place(name, value)? {
+        Some(place) => Ok(place),
+        None => Err(bad(name, value)),
+    }
+}
+
+/// One place, or several in a list or an array: `name` of one in messages.
+pub fn several(name: &str, value: &Bound<'_, PyAny>) -> Result<Vec<Wanted>> {
+    if value.cast::<PyUntypedArray>().is_ok() {
+        let array = Given::new("the array of places", value)?;
+        return match array.dimensions() {
+            1 if array.is_whole() => Ok(array.indices()?.into_iter().map(vertex).collect()),
+            1 if array.is_float() => Ok(vec![one(name, value)?]),
+            0 => Ok(vec![one(name, value)?]),
+            _ if array.is_float() => Ok(array.points()?.into_iter().map(Wanted::Near).collect()),
+            _ => Err(Failure::new(
+                "bad-dtype",
+                format!("the array of {name}s has neither integers of the shape (n,) nor floats of the shape (n, 3)"),
+            )),
+        };
+    }
+    if let Some(place) = place(name, value)? {
+        return Ok(vec![place]);
+    }
+    let Ok(items) = value.try_iter() else { return Err(bad(name, value)) };
+    items.enumerate().map(|(number, item)| one(&format!("{name} {number}"), &item?)).collect()
+}
+
+/// A place, if it is one.
+pub fn place(name: &str, value: &Bound<'_, PyAny>) -> Result<Option<Wanted>> {
+    if let Some(vertex) = index(name, value)? {
+        return Ok(Some(Wanted::On(InputPlace::Vertex(vertex))));
+    }
+    match value.len() {
+        Ok(2) => {
+            let (triangle, weights) = (value.get_item(0)?, value.get_item(1)?);
+            let is_pair = weights.len().is_ok_and(|count| count == 3) && !is_sequence(&triangle);
+            let Some(weights) = is_pair.then(|| numbers(&weights)).flatten() else { return Ok(None) };
+            let Some(triangle) = index(name, &triangle)? else { return Ok(None) };
+            Ok(Some(Wanted::On(InputPlace::Triangle { triangle, weights: weights.0 })))
+        }
+        Ok(3) => match numbers(value) {
+            Some((coordinates, true)) => Ok(Some(Wanted::Near(DVec3::from_array(coordinates)))),
+            _ => Ok(None),
+        },
+        _ => Ok(None),
+    }
+}
+
+fn vertex(index: u64) -> Wanted {
+    Wanted::On(InputPlace::Vertex(usize::try_from(index).unwrap_or(usize::MAX)))
+}
+
+fn is_sequence(value: &Bound<'_, PyAny>) -> bool {
+    value.len().is_ok()
+}
+
+/// A whole number, if it is one.
+fn index(name: &str, value: &Bound<'_, PyAny>) -> Result<Option<usize>> {
+    if value.is_instance_of::<PyBool>() {
+        return Ok(None);
+    }
+    match value.extract::<i64>() {
+        Ok(index) => {
+            let sentence = || format!("the {name} is {index}; vertices and faces count from 0");
+            usize::try_from(index).map(Some).map_err(|_| Failure::new("negative-index", sentence()))
+        }
+        Err(_) if value.is_instance_of::<PyInt>() => {
+            Err(Failure::new("no-such-vertex", format!("the {name} is {value}, more than any mesh has")))
+        }
+        Err(_) => Ok(None),
+    }
+}
+
+/// Three numbers, and whether any of them is floating.
+fn numbers(value: &Bound<'_, PyAny>) -> Option<([f64; 3], bool)> {
+    let (mut numbers, mut is_float) = ([0.0; 3], false);
+    for (k, number) in numbers.iter_mut().enumerate() {
+        let item = value.get_item(k).ok()?;
+        if item.is_instance_of::<PyBool>() || is_sequence(&item) {
+            return None;
+        }
+        is_float |= item.is_instance_of::<PyFloat>() || item.extract::<i64>().is_err();
+        *number = item.extract().ok()?;
+    }
+    Some((numbers, is_float))
+}
+
+fn bad(name: &str, value: &Bound<'_, PyAny>) -> Failure {
+    let given = value.repr().map_or_else(|_| "something else".to_owned(), |text| text.to_string());
+    let given: String = given.chars().take(60).collect();
+    Failure::new("bad-place", format!("the {name} is {given}; give {PLACE}"))
+}
+
+impl Mesh {
+    /// The points of the surface at places. What is farther from the surface than its mean edge is warned of.
+    pub fn points(&self, wanted: &[Wanted]) -> Result<Vec<SurfacePoint>> {
+        wanted.iter().enumerate().map(|(number, &place)| self.point_of(place, number)).collect()
+    }
+
+    /// The point of the surface at a place.
+    pub fn point(&self, wanted: Wanted) -> Result<SurfacePoint> {
+        self.point_of(wanted, 0)
+    }
+
+    /// Sources, with distances that they start from where such are given.
+    pub fn sources(&self, wanted: &[Wanted], initial: Option<&[f64]>) -> Result<Vec<Source>> {
+        let points = self.points(wanted)?;
+        let surface: &Surface = self.surface();
+        let Some(initial) = initial else { return Ok(points.into_iter().map(Source::from).collect()) };
+        if initial.len() != points.len() {
+            let sentence = format!("there are {} sources and {} initial distances", points.len(), initial.len());
+            return Err(Failure::new("bad-shape", sentence));
+        }
+        points.into_iter().zip(initial).map(|(point, &initial)| Ok(surface.source(point, initial)?)).collect()
+    }
+
+    fn point_of(&self, wanted: Wanted, number: usize) -> Result<SurfacePoint> {
+        let point = match wanted {
+            Wanted::On(place) => return Ok(place.on(self.soup(), self.surface())?),
+            Wanted::Near(point) => point,
+        };
+        let Some((place, distance)) = self.nearest_places().nearest(self.surface(), point) else {
+            let coordinates = point.to_array();
+            return Err(Failure::new("not-finite", format!("the coordinates {coordinates:?} are not finite")));
+        };
+        if distance > self.surface().mean_edge() {
+            let text = format!("place {number} is {distance} away from the surface; its nearest point is taken");
+            let text = std::ffi::CString::new(text).unwrap_or_default();
+            Python::attach(|py| PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, 1))?;
+        }
+        Ok(self.surface().point(place)?)
+    }
+}
