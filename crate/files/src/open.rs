@@ -1,10 +1,10 @@
 //! Mesh files as readers take them.
 
 use std::fs;
-use std::io::Read;
+use std::io::{Error, ErrorKind, Read};
 use std::path::{Component, Path};
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, bail};
 use flate2::read::MultiGzDecoder;
 use heatwalk_model::io::{self, Archive, Budget, Resources};
 use heatwalk_volume::io::Format;
@@ -74,7 +74,9 @@ pub fn may_hold_tetrahedra(path: &Path) -> bool {
 
 /// Devices and pipes may never end, so only plain files are read.
 fn read_file(path: &Path) -> Result<Vec<u8>> {
-    ensure!(fs::metadata(path)?.is_file(), "it is not a file");
+    if !fs::metadata(path)?.is_file() {
+        return Err(Error::new(ErrorKind::InvalidInput, "it is not a file").into());
+    }
     Ok(fs::read(path)?)
 }
 

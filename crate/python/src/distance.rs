@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use heatwalk::{Choice, SurfacePoint, VertexId};
+use heatwalk::{Choice, InputPlace, SurfacePoint, VertexId};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -92,7 +92,7 @@ impl Mesh {
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let count = self.soup().positions.len();
-        let every = |_: ()| (0..count).map(|vertex| Wanted::On(heatwalk::InputPlace::Vertex(vertex))).collect();
+        let every = |_: ()| (0..count).map(|vertex| Wanted::On(InputPlace::Vertex(vertex))).collect();
         let sources = sources.map_or_else(|| Ok(every(())), |sources| several("source", sources))?;
         let targets = match targets {
             None => (0..count as u64).collect(),
@@ -198,15 +198,19 @@ impl Mesh {
         let shape = [sources.len(), targets.len()];
         let numbers = run(py, progress, |progress| {
             let mut numbers = room::<T>(shape)?;
-            // A vertex that no face uses is as far from all as what nothing reaches.
-            let points = self.reachable(sources)?;
-            let (rows, points): (Vec<usize>, Vec<SurfacePoint>) = points.into_iter().unzip();
-            numbers.fill(number(f64::INFINITY));
-            if points.is_empty() || targets.is_empty() {
+            let (mut points, mut lines) = (Vec::new(), Vec::new());
+            for (source, line) in sources.iter().zip(numbers.chunks_mut(targets.len().max(1))) {
+                match self.reachable(*source)? {
+                    Some(point) => {
+                        points.push(point);
+                        lines.push(Mutex::new(line));
+                    }
+                    None => line.fill(number(f64::INFINITY)),
+                }
+            }
+            if points.is_empty() {
                 return Ok(numbers);
             }
-            let mut all: Vec<Option<&mut [T]>> = numbers.chunks_mut(targets.len()).map(Some).collect();
-            let lines: Vec<Mutex<&mut [T]>> = rows.iter().filter_map(|&row| all[row].take()).map(Mutex::new).collect();
             self.with_solver(|solver| {
                 let tell = |row: usize, answer: heatwalk::Answer| {
                     let mut line = lines[row].lock().unwrap_or_else(PoisonError::into_inner);
@@ -221,38 +225,35 @@ impl Mesh {
         Ok(shaped(py, numbers, shape))
     }
 
-    /// The places that are on the surface, with their numbers; vertices that no face uses are not.
-    fn reachable(&self, sources: &[Wanted]) -> Result<Vec<(usize, SurfacePoint)>> {
-        let mut found = Vec::with_capacity(sources.len());
-        for (number, &source) in sources.iter().enumerate() {
-            if let Wanted::On(heatwalk::InputPlace::Vertex(vertex)) = source
-                && self.surface().vertices_of_inputs().as_slice().get(vertex) == Some(&None)
+    /// The place on the surface; none for a vertex that no face uses, which is as far from all as what nothing reaches.
+    fn reachable(&self, source: Wanted) -> Result<Option<SurfacePoint>> {
+        match source {
+            Wanted::On(InputPlace::Vertex(vertex))
+                if self.surface().vertices_of_inputs().as_slice().get(vertex) == Some(&None) =>
             {
-                continue;
+                Ok(None)
             }
-            found.push((number, self.point(source)?));
+            source => self.point(source).map(Some),
         }
-        Ok(found)
     }
 }
 
 /// Room for a matrix.
 fn room<T: Copy + Default>([rows, columns]: [usize; 2]) -> Result<Vec<T>> {
     let count = rows.checked_mul(columns).filter(|&count| count <= MOST_BYTES / size_of::<T>());
-    let mut numbers = Vec::new();
-    let has_room = count.is_some_and(|count| {
+    let has_room = |&count: &usize| {
         let needed = count as u64 * size_of::<T>() as u64;
         heatwalk::surface::memory::require(needed, "making the matrix").is_ok()
-            && numbers.try_reserve_exact(count).is_ok()
-    });
-    if !has_room {
+            && Vec::<T>::new().try_reserve_exact(count).is_ok()
+    };
+    let Some(count) = count.filter(has_room) else {
         let bytes = rows as f64 * columns as f64 * size_of::<T>() as f64;
         let sentence = format!(
             "a matrix of {rows} × {columns} numbers takes {:.1} GiB, more than there is; ask for fewer sources at once, or dtype=\"float32\"",
             bytes / f64::from(1 << 30)
         );
         return Err(Failure::new("out-of-memory", sentence));
-    }
-    numbers.resize(count.unwrap_or(0), T::default());
-    Ok(numbers)
+    };
+    // Zeros are taken from the system as they are, without a touch.
+    Ok(vec![T::default(); count])
 }

@@ -51,7 +51,7 @@ def test_arrays_that_make_no_mesh_are_refused_with_a_sentence() -> None:
     refused(V, F.astype(float), "bad-dtype", "F has the dtype float64", "integers")
     refused(V, F > 0, "bad-dtype", "bool")
     refused(V, -F, "negative-index", "F holds -1")
-    refused(V, F + 1, "index-out-of-range", "triangle 1 refers to vertex 8", "8 vertices")
+    refused(V, F + 1, "index-out-of-range", "triangle 2 refers to vertex 8", "8 vertices")
     refused(V, F.astype(np.uint64) + np.uint64(2**63), "index-out-of-range", str(2**63))
     refused(V, F[:0], "empty", "no triangles")
     refused(np.zeros((0, 3)), F[:0], "empty")

@@ -65,14 +65,22 @@ class _CurveSolver:
             distances = self._mesh.curve_distance(curves)
         if points:
             distances = np.minimum(distances, self._mesh.distance(points, "exact"))
-        if not curves and not points:
-            raise HeatwalkError("no source: give at least one", "no-source")
         return distances
 
-    def _signed(self, curves: list[list[int | Place]], unsigned: Floats | None) -> Floats:
-        """Negative on the left of curves; what is nearer to something without sides has no sign."""
-        signed = self._mesh.signed_distance(curves)
-        return signed if unsigned is None else np.where(np.abs(signed) <= unsigned, signed, unsigned)
+    def _distance(
+        self,
+        signed: list[list[int | Place]],
+        unsigned: list[list[int | Place]],
+        points: list[int | Place],
+    ) -> Floats:
+        """Negative on the left of signed curves where these are nearest."""
+        if not signed and not unsigned and not points:
+            raise HeatwalkError("no source: give at least one", "no-source")
+        others = self._unsigned(unsigned, points)
+        if not signed:
+            return others
+        distances = self._mesh.signed_distance(signed)
+        return np.where(np.abs(distances) <= others, distances, others)
 
 
 class MeshFastMarchingDistanceSolver(_CurveSolver):
@@ -91,9 +99,7 @@ class MeshFastMarchingDistanceSolver(_CurveSolver):
         parts, points = self._parted(curves)
         if np.any([distance != 0 for row in distances for distance in row]):
             return self._from(curves, distances, parts, sign)
-        if sign and parts:
-            return self._signed(parts, self._unsigned([], points) if points else None)
-        return self._unsigned(parts, points)
+        return self._distance(parts, [], points) if sign else self._distance([], parts, points)
 
     def _from(
         self,
@@ -142,12 +148,5 @@ class MeshSignedHeatSolver(_CurveSolver):
         signed, alone = self._parted([curve for curve, sign in zip(curves, signs) if sign])
         plain, others = self._parted([curve for curve, sign in zip(curves, signs) if not sign])
         places = [self._elements.place(point if isinstance(point, tuple) else (point,)) for point in points]
-        alone = [*alone, *others, *places]
-        unsigned = self._unsigned(plain, alone) if plain or alone or not signed else None
-        return -self._signed(signed, unsigned) if signed and unsigned is None else self._mixed(signed, unsigned)
-
-    def _mixed(self, curves: list[list[int | Place]], unsigned: Floats | None) -> Floats:
-        if not curves:
-            return self._unsigned([], []) if unsigned is None else unsigned
-        signed = -self._mesh.signed_distance(curves)
-        return signed if unsigned is None else np.where(np.abs(signed) <= unsigned, signed, unsigned)
+        # What is on the left of a curve is on the right of the reversed one.
+        return self._distance([piece[::-1] for piece in signed], plain, [*alone, *others, *places])
