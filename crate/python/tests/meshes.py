@@ -36,7 +36,7 @@ def sphere(rings: int = 24, sectors: int = 48) -> tuple[Floats, Integers]:
     ring = np.column_stack([(np.sin(p) * np.cos(a)).ravel(), (np.sin(p) * np.sin(a)).ravel(), np.cos(p).ravel()])
     vertices = np.concatenate([[[0, 0, 1]], ring, [[0, 0, -1]]])
     last = len(vertices) - 1
-    at = lambda r, s: 1 + r * sectors + s % sectors  # noqa: E731
+    at = lambda r, s: 1 + r * sectors + s % sectors
     faces = [(0, at(0, s), at(0, s + 1)) for s in range(sectors)]
     for r in range(rings - 2):
         for s in range(sectors):

@@ -23,12 +23,12 @@ def ball() -> heatwalk.Mesh:
 
 
 def on_faces(mesh: heatwalk.Mesh, faces: meshes.Integers, weights: meshes.Floats) -> meshes.Floats:
-    return np.einsum("ij,ijk->ik", weights, mesh.vertices[mesh.faces[faces]])  # type: ignore[no-any-return]
+    return np.einsum("ij,ijk->ik", weights, mesh.vertices[mesh.faces[faces]])
 
 
 @pytest.mark.parametrize("kind", ["straight", "exact"])
 def test_paths_in_the_plane_are_straight_and_tied_to_the_mesh(flat: heatwalk.Mesh, kind: str) -> None:
-    path = flat.path(2, (250, (0.2, 0.3, 0.5)), kind=kind)  # type: ignore[arg-type]
+    path = flat.path(2, (250, (0.2, 0.3, 0.5)), kind=kind)
     start, end = flat.vertices[2], np.array([0.2, 0.3, 0.5]) @ flat.vertices[flat.faces[250]]
     assert np.allclose(path.points[0], start, **CLOSE) and np.allclose(path.points[-1], end, **CLOSE)
     assert path.length == pytest.approx(np.linalg.norm(end - start), abs=1e-12) and path.cost == path.length
@@ -45,7 +45,7 @@ def test_paths_descend_heat_too(ball: heatwalk.Mesh) -> None:
     assert exact.length <= straight.length + 1e-12 <= down.length + 2e-12 <= 1.1 * exact.length
     assert exact.length == pytest.approx(ball.distance(0)[700], abs=1e-12)
     with pytest.raises(HeatwalkError, match="descent, straight, exact"):
-        ball.path(0, 700, kind="short")  # type: ignore[arg-type]
+        ball.path(0, 700, kind="short")
 
 
 def test_paths_between_what_is_not_joined_are_refused() -> None:
@@ -53,7 +53,7 @@ def test_paths_between_what_is_not_joined_are_refused() -> None:
     two = heatwalk.Mesh(np.concatenate([V, V + 5]), np.concatenate([F, F + 8]))
     for kind in ["straight", "descent", "exact"]:
         with pytest.raises(HeatwalkError) as caught:
-            two.path(0, 8, kind=kind)  # type: ignore[arg-type]
+            two.path(0, 8, kind=kind)
         assert caught.value.code == "unreachable"
     there = two.path(3, 3)
     assert len(there.points) == 1 and there.length == 0.0
@@ -91,7 +91,7 @@ def test_log_maps_of_the_plane_are_the_plane(flat: heatwalk.Mesh) -> None:
 
 def test_vectors_are_carried_along_the_surface(flat: heatwalk.Mesh, ball: heatwalk.Mesh) -> None:
     for method in ["exact", "heat"]:
-        carried = flat.transport(84, [3.0, 4.0, 5.0], method)  # type: ignore[arg-type]
+        carried = flat.transport(84, [3.0, 4.0, 5.0], method)
         assert np.allclose(carried, [3, 4, 0], atol=1e-6)
     tangent = ball.transport([0, len(ball.vertices) - 1], [[1, 0, 0], [0, 2, 0]], "heat")
     assert tangent.shape == ball.vertices.shape
@@ -105,7 +105,7 @@ def test_vectors_are_carried_along_the_surface(flat: heatwalk.Mesh, ball: heatwa
         ([[1, 0], [1, 0]], "exact", "bad-shape"),
     ]:
         with pytest.raises(HeatwalkError) as caught:
-            ball.transport([0, len(ball.vertices) - 1], vectors, method)  # type: ignore[arg-type]
+            ball.transport([0, len(ball.vertices) - 1], vectors, method)
         assert caught.value.code == code
 
 
@@ -140,14 +140,14 @@ def test_closed_curves_have_an_inside(flat: heatwalk.Mesh) -> None:
     corners = [int(np.flatnonzero(np.all(np.isclose(V[:, :2], c), axis=1))[0]) for c in [(0.25, 0.25), (0.75, 0.25), (0.75, 0.75), (0.25, 0.75)]]
     inside = (np.abs(V[:, :2] - 0.5) < 0.25 - 1e-9).all(axis=1)
     for curves, options in [([corners], {"closed": True}), ([[*corners, corners[0]]], {}), (corners, {"closed": True, "sign": "heat"})]:
-        signed = flat.signed_distance(curves, **options)  # type: ignore[arg-type]
+        signed = flat.signed_distance(curves, **options)
         assert np.array_equal(signed < -1e-9, inside)
         assert np.allclose(np.abs(signed), flat.curve_distance([corners], closed=True), **CLOSE)
     for curves, words in [([], "source"), ([[3]], "two different places"), ("edge", "place"), (3, "no list"), ([[0, 999]], "vertex 999")]:
         with pytest.raises(HeatwalkError, match=words):
-            flat.signed_distance(curves)  # type: ignore[arg-type]
+            flat.signed_distance(curves)
     with pytest.raises(HeatwalkError, match="auto, nearest, heat"):
-        flat.signed_distance([corners], sign="left")  # type: ignore[arg-type]
+        flat.signed_distance([corners], sign="left")
     with pytest.raises(HeatwalkError, match="no boundary"):
         heatwalk.Mesh(*meshes.cube()).curve_distance("boundary")
 
@@ -165,7 +165,7 @@ def test_isolines_are_curves_on_faces(flat: heatwalk.Mesh) -> None:
     assert ring.curves[0].is_closed and ring.length == pytest.approx(2 * np.pi * np.sin(1), rel=0.01)
     for options, words in [({}, "one of"), ({"levels": [1.0], "count": 2}, "one of"), ({"levels": [np.nan]}, "finite")]:
         with pytest.raises(HeatwalkError, match=words):
-            flat.isolines(values, **options)  # type: ignore[arg-type]
+            flat.isolines(values, **options)
     with pytest.raises(HeatwalkError, match="169"):
         flat.isolines(values[:5], [0.5])
     with pytest.raises(HeatwalkError):
@@ -196,7 +196,7 @@ def test_samples_are_spread(flat: heatwalk.Mesh) -> None:
     assert np.allclose(on_faces(flat, relaxed.faces, relaxed.weights), relaxed.points, **CLOSE)
     for options in [{}, {"count": 0}, {"radius": -1.0}, {"count": 2, "radius": 1.0}, {"count": 1, "start": 999}]:
         with pytest.raises(HeatwalkError):
-            flat.sample(**options)  # type: ignore[arg-type]
+            flat.sample(**options)
     with pytest.raises(HeatwalkError, match="no vertex"):
         flat.sample(3, start=(0, (0.5, 0.25, 0.25)))
 

@@ -15,7 +15,7 @@ def flat() -> heatwalk.Mesh:
 
 
 def straight(mesh: heatwalk.Mesh, point: object) -> meshes.Floats:
-    return np.linalg.norm(mesh.vertices - np.asarray(point), axis=1)  # type: ignore[no-any-return]
+    return np.linalg.norm(mesh.vertices - np.asarray(point), axis=1)
 
 
 @pytest.mark.parametrize(
@@ -23,7 +23,7 @@ def straight(mesh: heatwalk.Mesh, point: object) -> meshes.Floats:
     [5, np.int32(5), [5], (5,), np.array([5]), np.array(5), [np.uint8(5)]],
 )
 def test_in_the_plane_distance_is_straight(flat: heatwalk.Mesh, sources: object) -> None:
-    distances = flat.distance(sources)  # type: ignore[arg-type]
+    distances = flat.distance(sources)
     assert distances.dtype == np.float64 and distances.shape == (169,)
     assert np.allclose(distances, straight(flat, flat.vertices[5]), atol=1e-12, rtol=0)
 
@@ -35,7 +35,7 @@ def test_sources_are_vertices_places_and_coordinates(flat: heatwalk.Mesh) -> Non
     expected = straight(flat, point)
     array = np.array(weights)
     for sources in [(20, weights), [(20, weights)], (np.int64(20), array), heatwalk.Place(20, weights), point, list(point), point[None]]:
-        assert np.allclose(flat.distance(sources), expected, atol=1e-12, rtol=0)  # type: ignore[arg-type]
+        assert np.allclose(flat.distance(sources), expected, atol=1e-12, rtol=0)
     several = flat.distance([5, (20, weights), point + [0, 0, 0.01]])
     assert np.allclose(several, np.minimum(expected, straight(flat, flat.vertices[5])), atol=1e-12, rtol=0)
 
@@ -90,7 +90,7 @@ def test_initial_distances_are_where_sources_start(flat: heatwalk.Mesh) -> None:
 )
 def test_sources_that_are_not_there_are_refused(flat: heatwalk.Mesh, sources: object, code: str) -> None:
     with pytest.raises(HeatwalkError) as caught:
-        flat.distance(sources)  # type: ignore[arg-type]
+        flat.distance(sources)
     assert caught.value.code == code, str(caught.value)
 
 
@@ -104,7 +104,7 @@ def test_options_are_those_of_the_crate() -> None:
     assert np.array_equal(mesh.distance(0, "propagation", windows="all"), exact)
     assert np.abs(mesh.distance(0, "propagation", windows=2) - exact).max() < 0.01 * np.pi
     for options in [{}, {"operator": "plain", "time_step": 1, "boundary": "dirichlet"}, {"solver": "cg"}, {"exact_radius": 3}]:
-        heat = mesh.distance(0, "heat", **options)  # type: ignore[arg-type]
+        heat = mesh.distance(0, "heat", **options)
         # The heat method's own error on a mesh of so many rings, a twentieth at most.
         assert np.abs(heat - exact).max() < 0.05 * np.pi
     assert not np.array_equal(mesh.distance(0, "heat", time_step=10.0), mesh.distance(0, "heat", time_step=1.0))
@@ -131,14 +131,14 @@ def test_unknown_choices_are_answered_with_those_there_are(
     flat: heatwalk.Mesh, method: str, options: dict[str, object], words: str
 ) -> None:
     with pytest.raises(ValueError, match=words):
-        flat.distance(0, method, **options)  # type: ignore[arg-type]
+        flat.distance(0, method, **options)
 
 
 def test_unknown_names_of_options_are_type_errors(flat: heatwalk.Mesh) -> None:
     with pytest.raises(TypeError, match="there is no option t_coef; the options are windows"):
-        flat.distance(0, t_coef=1.0)  # type: ignore[call-arg]
+        flat.distance(0, t_coef=1.0)
     with pytest.raises(TypeError):
-        flat.distance(0, windows=[1])  # type: ignore[arg-type]
+        flat.distance(0, windows=[1])
 
 
 def test_what_nothing_reaches_is_infinitely_far() -> None:
@@ -174,12 +174,12 @@ def test_answers_tell_how_they_were_found(flat: heatwalk.Mesh) -> None:
 
 @pytest.mark.parametrize("method", ["auto", "heat"])
 def test_rows_of_matrices_are_distances_for_any_number_of_threads(flat: heatwalk.Mesh, method: str) -> None:
-    whole = flat.matrix(method=method, threads=1)  # type: ignore[arg-type]
+    whole = flat.matrix(method=method, threads=1)
     assert whole.shape == (169, 169) and whole.dtype == np.float64
-    assert np.array_equal(whole[17], flat.distance(17, method))  # type: ignore[arg-type]
+    assert np.array_equal(whole[17], flat.distance(17, method))
     for threads in [2, 3, None]:
-        assert np.array_equal(flat.matrix(method=method, threads=threads), whole)  # type: ignore[arg-type]
-    some = flat.matrix([3, 140, (7, (1.0, 0.0, 0.0))], [0, 0, 168], method, dtype=np.float32)  # type: ignore[arg-type]
+        assert np.array_equal(flat.matrix(method=method, threads=threads), whole)
+    some = flat.matrix([3, 140, (7, (1.0, 0.0, 0.0))], [0, 0, 168], method, dtype=np.float32)
     assert some.dtype == np.float32 and np.array_equal(some[:2], whole[[3, 140]][:, [0, 0, 168]].astype(np.float32))
     assert np.array_equal(some[2], whole[flat.faces[7, 0]][[0, 0, 168]].astype(np.float32))
 

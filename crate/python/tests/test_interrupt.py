@@ -33,7 +33,7 @@ def interrupted(after: float, work: object) -> float:
     thread = threading.Thread(target=send)
     thread.start()
     with pytest.raises(KeyboardInterrupt):
-        work()  # type: ignore[operator]
+        work()
     ended = time.perf_counter()
     thread.join()
     return ended - sent[0]
@@ -42,7 +42,7 @@ def interrupted(after: float, work: object) -> float:
 def test_ctrl_c_ends_work_at_once_and_leaves_the_mesh_usable(large: heatwalk.Mesh) -> None:
     before = large.distance(0)
     for threads in [1, 2]:
-        assert interrupted(0.3, lambda: large.matrix(method="exact", threads=threads)) < AT_ONCE  # noqa: B023
+        assert interrupted(0.3, lambda: large.matrix(method="exact", threads=threads)) < AT_ONCE
     assert interrupted(0.3, lambda: [large.distance(0, "exact") for _ in range(10_000)]) < AT_ONCE
     assert interrupted(0.3, lambda: large.sample(100_000, relax=50)) < AT_ONCE
     assert np.array_equal(large.distance(0), before)
@@ -88,7 +88,7 @@ def test_progress_may_end_the_work(large: heatwalk.Mesh) -> None:
     with pytest.raises(ZeroDivisionError, match="of the callback"):
         large.matrix(method="exact", progress=fail)
     with pytest.raises(TypeError, match="progress is no function"):
-        large.distance(0, progress=5)  # type: ignore[arg-type]
+        large.distance(0, progress=5)
 
 
 def test_a_callback_that_asks_the_mesh_at_work_is_told_so(large: heatwalk.Mesh) -> None:
@@ -113,4 +113,4 @@ def test_threads_take_turns_on_one_mesh(large: heatwalk.Mesh) -> None:
         thread.start()
     for thread in threads:
         thread.join()
-    assert all(np.array_equal(found[source], expected[source]) for source in range(8))  # type: ignore[arg-type]
+    assert all(np.array_equal(found[source], expected[source]) for source in range(8))

@@ -65,7 +65,7 @@ def test_heat_distances() -> None:
     sphere = meshes.sphere()
     exact = heatwalk.Mesh(*sphere).distance(0)
     for options in [{}, {"t_coef": 1.0, "use_robust": False}, {"t_coef": 2.0}]:
-        distances = pp3d.MeshHeatMethodDistanceSolver(*sphere, **options).compute_distance(0)  # type: ignore[arg-type]
+        distances = pp3d.MeshHeatMethodDistanceSolver(*sphere, **options).compute_distance(0)
         # The heat method's own error on a mesh of so many rings, a twentieth at most.
         assert np.abs(distances - exact).max() < 0.05 * np.pi
     both = pp3d.compute_distance_multisource(*sphere, [0, len(exact) - 1])

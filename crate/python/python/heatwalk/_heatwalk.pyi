@@ -10,6 +10,8 @@ from typing_extensions import Unpack
 
 from heatwalk._answers import Answer, Cells, Isoline, LogMap, Mean, Path, Samples, Snapped, TangentFrames, Walk
 
+__all__ = ["Mesh", "__version__", "read", "shape"]
+
 __version__: str
 
 _Floats: TypeAlias = NDArray[np.float64]

@@ -36,7 +36,8 @@ class MeshMarchingTrianglesSolver:
         """(k, 2) edges where each triangle with corners on both sides is crossed."""
         start = is_above[self._faces]
         is_crossed = start != np.roll(start, -1, axis=1)
-        return self._sides[is_crossed].reshape(-1, 2)
+        crossed: Integers = self._sides[is_crossed].reshape(-1, 2)
+        return crossed
 
     def _points(self, edges: list[int], values: Floats, isoval: float) -> Contour:
         ends = values[self._ends[edges]]
@@ -51,18 +52,23 @@ def _chains(pairs: Integers) -> list[list[int]]:
         beside.setdefault(one, []).append(segment)
         beside.setdefault(other, []).append(segment)
     is_walked = np.zeros(len(pairs), dtype=bool)
-    chains = []
+
+    def unwalked(segments: list[int]) -> int | None:
+        return next((segment for segment in segments if not is_walked[segment]), None)
+
+    chains: list[list[int]] = []
     ends = [edge for edge, segments in beside.items() if len(segments) != 2]
     for start in [*ends, *beside]:
-        while (segment := next((s for s in beside[start] if not is_walked[s]), None)) is not None:
+        while unwalked(beside[start]) is not None:
             chain = [start]
-            while segment is not None:
-                is_walked[segment] = True
-                one, other = pairs[segment].tolist()
+            onward = unwalked(beside[start])
+            while onward is not None:
+                is_walked[onward] = True
+                one, other = pairs[onward].tolist()
                 chain.append(other if one == chain[-1] else one)
+                segments = beside[chain[-1]]
                 # At an edge of three triangles or more, curves end.
-                onward = beside[chain[-1]] if len(beside[chain[-1]]) == 2 else []
-                segment = next((s for s in onward if not is_walked[s]), None)
+                onward = unwalked(segments) if len(segments) == 2 else None
             chains.append(chain)
     return chains
 

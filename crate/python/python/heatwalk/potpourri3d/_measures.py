@@ -24,7 +24,8 @@ def vertex_areas(V: ArrayLike, F: ArrayLike) -> Floats:
     """(n,) floats, a third of the faces around each vertex."""
     vertices, faces = checked(V, F)
     thirds = np.repeat(_doubled_areas(vertices, faces) / 6, 3)
-    return np.bincount(faces.ravel(), thirds, minlength=len(vertices))
+    areas: Floats = np.bincount(faces.ravel(), thirds, minlength=len(vertices)).astype(np.float64)
+    return areas
 
 
 def edges(V: ArrayLike, F: ArrayLike) -> Integers:

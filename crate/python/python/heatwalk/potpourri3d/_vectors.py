@@ -46,7 +46,7 @@ class MeshVectorHeatSolver:
 
     def transport_tangent_vector(self, v_ind: int, vector: ArrayLike) -> Floats:
         """(n, 2) floats: a vector, (2,) floats at a vertex, carried to all others."""
-        return self.transport_tangent_vectors([v_ind], [vector])  # type: ignore[list-item]
+        return self.transport_tangent_vectors([v_ind], np.asarray(vector, dtype=np.float64)[None])
 
     def transport_tangent_vectors(self, v_inds: ArrayLike, vectors: ArrayLike) -> Floats:
         """(n, 2) floats: vectors, (k, 2) floats at vertices, carried to all others, each to what is nearest."""
