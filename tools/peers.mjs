@@ -45,6 +45,13 @@ export function findReaders() {
   return '';
 }
 
+/** The Python to test the package of this project with. */
+export function requirePython(...packages) {
+  const check = 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 10))';
+  if (spawnSync('python3', ['-c', check], { stdio: 'ignore' }).status === 0) return pythonWith(...packages);
+  return fail('Python 3.10 or newer with venv is needed, for the tests of the Python package. Install it.');
+}
+
 /** Whether a package that builds on libraries of the system could be installed. */
 export function installs(python, name) {
   return spawnSync(python, ['-m', 'pip', 'install', '--quiet', name], { stdio: 'ignore' }).status === 0;

@@ -9,6 +9,7 @@ import { buildModules, bundle, bundleSingle, publishModules, TESTED_FILE, TESTED
 import { checkFormat, checkSpelling, lintPage, lintWhileCompiling } from './checks.mjs';
 import { findFirefox, findMesa, findShell, findWebKit, hasSoftwareVulkan, prepare, requireChromium } from './needs.mjs';
 import { findReaders } from './peers.mjs';
+import { buildPackages, testPackage } from './python.mjs';
 import { cargo, npmProgram, output, printTimes, root, runBeside } from './steps.mjs';
 
 const named = 'The message above names the test.';
@@ -32,6 +33,7 @@ const most = ['--workspace', '--exclude', 'xtask', '--exclude', 'wasm-test-runne
 const environment = { CHROMIUM: chromium, CHROMIUM_SHELL: shell, FIREFOX: firefox, HEATWALK_PYTHON: readers };
 
 if (isSlow) {
+  buildPackages();
   publishModules();
   testPage({ HEATWALK_SLOW: '1' });
 } else if (word) {
@@ -61,6 +63,7 @@ if (isSlow) {
   const hasDocumentation = runBeside(examples, 'cargo', ['test', ...most, '--doc'], named, documented);
   cargo('Running the Rust tests', ['test', ...most, '--lib', '--bins', '--tests', ...all], named, gpu);
   await hasDocumentation();
+  testPackage(most);
   cargo('Running the tests of the build steps', ['test', '--package', 'xtask'], named);
   cargo("Running the solver's tests on wasm32", ['xtask', 'test-wasm'], named);
   testPage();

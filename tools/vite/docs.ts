@@ -10,6 +10,7 @@ import type { Section } from '../../web/docs/section.ts';
 const ORDER = [
   'page',
   'program',
+  'python',
   'method',
   'accuracy',
   'benchmarks',

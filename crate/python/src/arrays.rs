@@ -118,7 +118,7 @@ impl<'py> Given<'py> {
 
     fn as_type<T: numpy::Element + Copy>(&self, name: &str) -> Result<Vec<T>> {
         let array = self.array.call_method1("astype", (name, "C"))?;
-        let array: PyReadonlyArrayDyn<'_, T> = array.extract().map_err(|error| Failure::from(PyErr::from(error)))?;
+        let array: PyReadonlyArrayDyn<'_, T> = array.extract().map_err(Failure::from)?;
         Ok(array.as_slice().map_err(PyErr::from)?.to_vec())
     }
 

@@ -13,6 +13,9 @@ use crate::interrupt::run;
 use crate::mesh::Mesh;
 use crate::sources::{one, several};
 
+/// Rows, columns and values.
+type Entries<'py> = (Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<Complex64>>);
+
 /// A vector in space.
 pub fn direction(name: &'static str, value: &Bound<'_, PyAny>) -> Result<DVec3> {
     Ok(DVec3::from_slice(&Given::new(name, value)?.row(Some(3))?.floats()?))
@@ -145,11 +148,7 @@ impl Mesh {
     ///
     /// Raises HeatwalkError where components are joined by bridges, and where a vertex has triangles in several fans.
     #[pyo3(signature = (*, progress=None))]
-    fn connection_laplacian<'py>(
-        &self,
-        py: Python<'py>,
-        progress: Option<Py<PyAny>>,
-    ) -> PyResult<(Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<Complex64>>)> {
+    fn connection_laplacian<'py>(&self, py: Python<'py>, progress: Option<Py<PyAny>>) -> PyResult<Entries<'py>> {
         let entries = run(py, progress, |progress| {
             let stiffness = self.diffusion(progress)?.connection_laplacian().stiffness;
             let (pattern, count) = (stiffness.pattern(), self.surface().vertex_count());

@@ -1,0 +1,61 @@
+// The tests of the Python package, and that it can be installed.
+
+import { cpSync, mkdirSync, readdirSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
+import { NUMPY, requirePython, SCIPY } from './peers.mjs';
+import { cargo, root, run } from './steps.mjs';
+
+const MATURIN = 'maturin==1.16.0';
+const MYPY = 'mypy==2.4.1';
+const PYTEST = 'pytest==9.2.0';
+const SCIPY_STUBS = 'scipy-stubs==1.17.1.5';
+
+const named = 'The message above names the test.';
+const source = join(root, 'crate', 'python');
+const target = process.env.CARGO_TARGET_DIR ?? join(root, 'target');
+/** What cargo calls the module, on each system. */
+const MODULES = { darwin: 'lib_heatwalk.dylib', win32: '_heatwalk.dll' };
+
+/**
+ * Tests the package with a module that is built beside the other tests: with them, `packages`, it has the features of what both
+ * are made of, so that nothing but itself is compiled again. What maturin would build of the package alone shares next to nothing.
+ */
+export function testPackage(packages) {
+  const python = requirePython(NUMPY, SCIPY, SCIPY_STUBS, PYTEST, MYPY);
+  cargo('Building the module of the Python package', ['build', ...packages, '--lib', '--tests'], named);
+  const folder = join(target, 'python');
+  rmSync(folder, { recursive: true, force: true });
+  cpSync(join(source, 'python'), folder, { recursive: true, filter: (path) => !/\.(so|pyd|pyc)$/.test(path) });
+  const module = process.platform === 'win32' ? '_heatwalk.pyd' : '_heatwalk.abi3.so';
+  cpSync(join(target, 'debug', MODULES[process.platform] ?? 'lib_heatwalk.so'), join(folder, 'heatwalk', module));
+  const paths = { PYTHONPATH: folder, MYPYPATH: folder, PYTHONDONTWRITEBYTECODE: '1' };
+  const tests = ['-m', 'pytest', '--quiet', '-p', 'no:cacheprovider', join(source, 'tests')];
+  run("Running the Python package's tests", python, tests, named, paths);
+  const cache = ['--cache-dir', join(target, 'mypy')];
+  run('Checking the types of the Python package', python, ['-m', 'mypy', '--strict', ...cache, folder], named, paths);
+  run('Comparing them with the module', python, ['-m', 'mypy.stubtest', 'heatwalk'], named, paths);
+}
+
+/** Builds the package as pip does, from this checkout and from what would be published of its sources, and tries both. */
+export function buildPackages() {
+  const tool = requirePython(MATURIN, NUMPY, SCIPY, SCIPY_STUBS, PYTEST, MYPY);
+  const made = join(target, 'python-packages');
+  rmSync(made, { recursive: true, force: true });
+  mkdirSync(made, { recursive: true });
+  const maturin = (saying, args) => run(saying, tool, ['-m', 'maturin', ...args, '--out', made], named);
+  maturin('Building the wheel of the Python package', [
+    'build',
+    '--release',
+    '--manifest-path',
+    join(source, 'Cargo.toml'),
+  ]);
+  maturin('Packing its sources', ['sdist', '--manifest-path', join(source, 'Cargo.toml')]);
+  for (const kind of ['.whl', '.tar.gz']) {
+    const environment = join(made, kind === '.whl' ? 'of-wheel' : 'of-sources');
+    const python = join(environment, 'bin', 'python');
+    const file = readdirSync(made).find((name) => name.endsWith(kind));
+    run('Making a Python environment', tool, ['-m', 'venv', environment], named);
+    run(`Installing ${file}`, python, ['-m', 'pip', 'install', '--quiet', join(made, file), SCIPY, PYTEST], named);
+    run('Testing it', python, ['-m', 'pytest', '--quiet', '-p', 'no:cacheprovider', join(source, 'tests')], named);
+  }
+}
