@@ -278,6 +278,12 @@ def test_gdist() -> None:
     matrix = gdist.local_gdist_matrix(V, triangles, max_distance=0.5)
     assert matrix.format == "csc" and np.allclose(matrix.toarray(), np.where(between <= 0.5, between, 0), **CLOSE)
     assert gdist.local_gdist_matrix(V, triangles).nnz == 240
+    # Distances that are the limit up to rounding, both ways.
+    wide = meshes.grid(10, size=2.0)
+    matrix = gdist.local_gdist_matrix(*wide, max_distance=1.0)
+    apart = np.linalg.norm(wide[0][:, None] - wide[0][None], axis=2)
+    assert matrix.nnz == ((apart > 0) & (apart < 1 + 1e-9)).sum() and matrix.max() == 1.0
+    assert abs(matrix - matrix.T).max() < 1e-12
     some = gdist.distance_matrix_of_selected_points(V, triangles, np.array([2, 5, 10]))
     assert some.nnz == 6 and some[5, 2] == pytest.approx(between[5, 2])
     with pytest.raises(HeatwalkError, match="vertex 99"):

@@ -22,6 +22,8 @@ __all__ = ["compute_gdist", "distance_matrix_of_selected_points", "local_gdist_m
 
 # What stands for no limit.
 UNLIMITED = 1e100
+# Distances that are the limit up to rounding are within it.
+ROUNDING = 1e-12
 # Numbers of a block of rows, some megabytes.
 BLOCK = 1 << 20
 
@@ -89,21 +91,22 @@ def _indices(given: ArrayLike, name: str) -> Integers:
 def _within(mesh: Mesh, sources: Integers, max_distance: float) -> Floats:
     if max_distance >= UNLIMITED:
         return mesh.distance(sources, "exact")
-    return mesh.distance(sources, "exact", max_distance=max_distance)
+    distances = mesh.distance(sources, "exact", max_distance=max_distance * (1 + ROUNDING))
+    return np.where(np.isfinite(distances), np.minimum(distances, max_distance), np.inf)
 
 
 def _matrix(mesh: Mesh, sources: Integers, targets: Integers, max_distance: float) -> csc_matrix:
     from scipy.sparse import csc_matrix
 
     count = len(mesh.vertices)
-    limit = {} if max_distance >= UNLIMITED else {"max_distance": max_distance}
+    limit = np.inf if max_distance >= UNLIMITED else max_distance
     blocks: list[tuple[Integers, Integers, Floats]] = []
     step = max(1, BLOCK // max(1, len(targets)))
     for first in range(0, len(sources), step):
         own = sources[first : first + step]
-        distances = mesh.matrix(own, targets, "exact", **limit)  # type: ignore[arg-type]
+        distances = mesh.matrix(own, targets, "exact", max_distance=limit * (1 + ROUNDING))
         # Distances are the same both ways: rows of sources are columns.
         column, row = np.nonzero(np.isfinite(distances) & (distances > 0))
-        blocks.append((targets[row], own[column], distances[column, row]))
+        blocks.append((targets[row], own[column], np.minimum(distances[column, row], limit)))
     rows, columns, values = (np.concatenate([block[k] for block in blocks] or [np.zeros(0)]) for k in range(3))
     return csc_matrix((values, (rows, columns)), shape=(count, count))

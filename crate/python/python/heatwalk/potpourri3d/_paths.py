@@ -65,8 +65,14 @@ class GeodesicTracer:
         if not 0 <= start < len(self._vertices):
             sentence = f"vertex {start} does not exist; there are {len(self._vertices)}, counted from 0"
             raise HeatwalkError(sentence, "no-such-vertex")
-        around = self._faces[(self._faces == start).any(axis=1)]
-        return self._walk(int(start), direction_xyz, self._normals(around).sum(axis=0))
+        face, corner = np.nonzero(self._faces == start)
+        a, b, c = (self._vertices[self._faces[face, (corner + k) % 3]] for k in range(3))
+        normals = np.cross(b - a, c - a)
+        areas = np.linalg.norm(normals, axis=1, keepdims=True)
+        angles = np.arctan2(areas, ((b - a) * (c - a)).sum(axis=1, keepdims=True))
+        with np.errstate(invalid="ignore", divide="ignore"):
+            unit = np.where(areas > 0, normals / areas, 0.0)
+        return self._walk(int(start), direction_xyz, (unit * angles).sum(axis=0))
 
     def trace_geodesic_from_face(
         self,
@@ -81,12 +87,8 @@ class GeodesicTracer:
         if not 0 <= face < len(self._faces):
             sentence = f"face {face} does not exist; there are {len(self._faces)}, counted from 0"
             raise HeatwalkError(sentence, "no-such-triangle")
-        return self._walk((int(face), weights), direction_xyz, self._normals(self._faces[face : face + 1])[0])
-
-    def _normals(self, faces: np.ndarray[tuple[int, ...], np.dtype[np.int64]]) -> Floats:
-        """Twice the areas, along the normals."""
-        a, b, c = (self._vertices[faces[:, k]] for k in range(3))
-        return np.cross(b - a, c - a)
+        a, b, c = self._vertices[self._faces[face]]
+        return self._walk((int(face), weights), direction_xyz, np.cross(b - a, c - a))
 
     def _walk(self, start: int | tuple[int, Floats], direction_xyz: ArrayLike, normal: Floats) -> Floats:
         direction = np.asarray(direction_xyz, dtype=np.float64).ravel()
