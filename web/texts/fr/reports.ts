@@ -35,11 +35,11 @@ export const REPORTS: Texts = {
   'vertex {0} is used by no triangle of the surface; choose another':
     'le sommet {0} n’est dans aucun triangle de la surface ; choisissez-en un autre',
   'triangle {0} does not exist; there are {1}, counted from 0':
-    'le triangle {0} n’existe pas ; il y en a {1}, comptés à partir de 0',
+    'le triangle {0} n’existe pas ; il y en a {1}, comptés à partir de 0',
   'triangle {0} is in none of the chosen parts; choose another':
-    'le triangle {0} n’est dans aucune des pièces choisies ; choisissez-en un autre',
+    'le triangle {0} n’est dans aucune des pièces choisies ; choisissez-en un autre',
   'triangle {0} has no area or repeats an earlier one and was dropped; choose another':
-    'le triangle {0} n’a pas d’aire ou en répète un autre et a été écarté ; choisissez-en un autre',
+    'le triangle {0} n’a pas d’aire ou en répète un autre et a été écarté ; choisissez-en un autre',
   'vertex {0} has no edge to the vertex before it on the path':
     'le sommet {0} n’a pas d’arête vers le sommet précédent du chemin',
   'face {0} does not exist; there are {1}, counted from 0':
