@@ -90,7 +90,7 @@ export const REPORTS: Texts = {
   'no source can be reached from there: the parts are not connected':
     'aucune source n’est accessible de là : les pièces ne sont pas reliées',
   'the loop shrinks to a point, because it goes around no handle and no hole; give places on the way around one, or three and more that hold it':
-    'la boucle se réduit à un point, car elle ne fait le tour d’aucune anse ni d’aucun trou ; donnez des lieux autour de l’un d’eux, ou au moins trois qui la retiennent',
+    'la boucle se réduit à un point, car elle ne fait le tour d’aucune anse ni d’aucun trou ; donnez des lieux autour de l’un d’eux, ou au moins trois qui la retiennent',
   'there are no tetrahedra: give a tetrahedral mesh, or fill a closed surface':
     'il n’y a pas de tétraèdres : donnez un maillage tétraédrique, ou remplissez une surface fermée',
   'tetrahedron {0} names vertex {1}, but there are {2}': 'le tétraèdre {0} renvoie au sommet {1}, mais il y en a {2}',

@@ -13,7 +13,7 @@ import { save } from '../../view/picture';
 import { attribute, h, select } from '../dom';
 import { toggle } from '../widgets';
 import { fileNameOf, finePercent } from '../words';
-import { entryAt } from './sources';
+import { entryAt } from './entries';
 import { count, counted, t, type Words } from '../../texts';
 
 const CELLS: Overlay = 'cells';

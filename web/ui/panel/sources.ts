@@ -1,15 +1,14 @@
-import type { MeshPoint, OpenedMesh } from '../../protocol';
 import { linkAll, linkNearest } from '../../session/links';
 import type { Session } from '../../session/session';
 import { removeEntry, setInitialDistance } from '../../state/edit';
-import { inModel, isSameUnit, MODEL, type ModelLength, ofModel, typed, unitOf } from '../../length';
-import type { SceneState } from '../../state/scene';
+import { inModel, isSameUnit, MODEL, typed, unitOf } from '../../length';
 import type { Signal } from '../../state/signal';
 import { attribute, h, say } from '../dom';
 import { calmly } from './calm';
 import type { Tool } from '../../state/tool';
-import { setName, unreachedSentence } from '../words';
-import { t, type Words } from '../../texts';
+import { unreachedSentence } from '../words';
+import { entryAt } from './entries';
+import { t } from '../../texts';
 
 /**
  * The list of sources: select, focus, initial distance, delete; what draws and adds them, fetched after the `first` picture; and the
@@ -149,30 +148,4 @@ export function sourcesSection(session: Session, tool: Signal<Tool>, first: Prom
   const drawing = h('div', { class: 'stack' });
   void first.then(async () => drawing.append(...(await import('./sets')).drawingControls(session, tool)));
   return h('div', { class: 'stack' }, list, trouble, drawing, unreached, linking);
-}
-
-/** What a row of the list shows. */
-interface Entry {
-  title: Words;
-  offset: ModelLength;
-  /** A place of it to look at. */
-  middle: MeshPoint;
-}
-
-const NOTHING: Entry = { title: '', offset: ofModel(0), middle: { vertex: -1 } };
-
-export function entryAt({ sources, sets }: SceneState, index: number, opened?: OpenedMesh): Entry {
-  const source = sources[index];
-  if (source) {
-    return { title: pointName(source), offset: ofModel(source.offset ?? 0), middle: source };
-  }
-  const set = sets.at(index - sources.length);
-  const middle = set?.points[Math.floor(set.points.length / 2)];
-  if (!set || !middle) return NOTHING;
-  return { title: setName(set, opened), offset: ofModel(set.offset), middle };
-}
-
-function pointName(point: MeshPoint): Words {
-  if ('vertex' in point) return t`Vertex ${point.vertex}`;
-  return 'face' in point ? t`Triangle ${point.face}` : t`Tetrahedron ${point.tetrahedron}`;
 }
