@@ -36,6 +36,7 @@ use glam::DVec3;
 use heatwalk_base::memory::has_room;
 use heatwalk_base::parallel;
 use heatwalk_surface::Soup;
+use heatwalk_surface::index::along_curve;
 
 pub use error::{Error, Result};
 
@@ -48,7 +49,7 @@ use crate::star::Stars;
 
 /// Bytes that joining takes at once, a point: positions twice, planes, and about six triangles, each found three times and then kept
 /// with its corners.
-const BYTES_PER_POINT: u64 = 1024;
+const BYTES_PER_POINT: u64 = 640;
 
 /// Points and the triangles between them.
 #[derive(Debug, Clone)]
@@ -100,7 +101,7 @@ impl Cloud {
         if !has_room(&[BYTES_PER_POINT * points.len() as u64]) {
             return Err(Error::OutOfMemory { points: points.len() });
         }
-        let (different, twins) = different(&points);
+        let (different, twins) = different(&points, threads);
         if different.len() < 3 {
             return Err(Error::TooFew { points: points.len(), different: different.len() });
         }
@@ -111,7 +112,7 @@ impl Cloud {
             return Err(Error::Line { points: points.len() });
         }
         let mut fans = Fans::new(&positions, &planes);
-        for (_, triangle) in ranked(&positions, found) {
+        for triangle in ranked(&positions, found) {
             fans.take(triangle);
         }
         let mut fans = Fans::of(&positions, &planes, &without_flaps(&fans.triangles, positions.len()));
@@ -122,27 +123,23 @@ impl Cloud {
         strays::attach(&mut triangles, &positions, &planes, &neighbours, &alone);
         let boundary_loops = orient(&mut triangles, &positions, &planes).len();
         let count = triangles.len();
-        let alone = unjoined(&triangles, positions.len());
-        let joined = positions.len() - alone.len();
         triangles.as_flattened_mut().iter_mut().for_each(|vertex| *vertex = different[*vertex as usize]);
-        let is_joined = |first: u32| {
-            let position = different.binary_search(&first);
-            position.is_ok_and(|position| alone.binary_search(&(position as u32)).is_err())
-        };
-        let twins = twins.into_iter().filter(|&[first, _]| is_joined(first));
+        let alone = unjoined(&triangles, points.len());
+        let twins = twins.into_iter().filter(|[first, _]| alone.binary_search(first).is_err());
         triangles.extend(twins.map(|[first, twin]| [first, twin, twin]));
         let report = Report {
             points: points.len(),
             triangles: count,
             boundary_loops,
-            unjoined_points: points.len() - joined - (triangles.len() - count),
+            unjoined_points: alone.len() - (triangles.len() - count),
         };
         Ok(Self { soup: Soup::single(name, points, triangles), report })
     }
 }
 
-/// The first point of each position that is finite, ascending, and pairs of such a one and another there.
-fn different(points: &[DVec3]) -> (Vec<u32>, Vec<[u32; 2]>) {
+/// The first point of each position that is finite, in an order in which neighbours are near each other, whatever that of the file is, and pairs
+/// of such a one and another there.
+fn different(points: &[DVec3], threads: NonZeroUsize) -> (Vec<u32>, Vec<[u32; 2]>) {
     let mut order: Vec<u32> = (0..points.len() as u32).filter(|&point| points[point as usize].is_finite()).collect();
     // −0 and +0 are one place.
     let key = |point: u32| (points[point as usize] + DVec3::ZERO).to_array();
@@ -155,8 +152,8 @@ fn different(points: &[DVec3]) -> (Vec<u32>, Vec<[u32; 2]>) {
         firsts.push(equal[0]);
         twins.extend(equal[1..].iter().map(|&twin| [equal[0], twin]));
     }
-    firsts.sort_unstable();
-    (firsts, twins)
+    let order = along_curve(firsts.len(), |index| points[firsts[index] as usize], threads);
+    (order.into_iter().map(|index| firsts[index as usize]).collect(), twins)
 }
 
 /// The points on no triangle, ascending.
@@ -186,15 +183,19 @@ fn stars(positions: &[DVec3], neighbours: &Neighbours, threads: NonZeroUsize) ->
     (planes.concat(), triangles.concat())
 }
 
-/// Each triangle once, those that more of its points find first, of as many the one with the smaller circle around it.
-fn ranked(positions: &[DVec3], mut found: Vec<[u32; 3]>) -> Vec<((u8, u64), [u32; 3])> {
+/// Each triangle once: first those that all three of their points find, which do not overlap, then those of two and of one, each by the circle
+/// around it, the smallest first.
+fn ranked(positions: &[DVec3], mut found: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
     found.sort_unstable();
-    let rank = |equal: &[[u32; 3]]| {
-        let radius = circumradius(equal[0].map(|vertex| positions[vertex as usize]));
-        // Bits of non-negative floats order as the floats do.
-        ((3 - equal.len().min(3) as u8, radius.to_bits()), equal[0])
+    let rank = |equal: &[[u32; 3]]| match equal.len() {
+        3 => (0, 0, equal[0]),
+        count => {
+            let radius = circumradius(equal[0].map(|vertex| positions[vertex as usize]));
+            // Bits of non-negative floats order as the floats do.
+            (3 - count, radius.to_bits(), equal[0])
+        }
     };
     let mut ranked: Vec<_> = found.chunk_by(|a, b| a == b).map(rank).collect();
     ranked.sort_unstable();
-    ranked
+    ranked.into_iter().map(|(.., triangle)| triangle).collect()
 }
