@@ -10,7 +10,10 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[non_exhaustive]
 pub enum Error {
     /// Less than a triangle.
-    #[error("of {points} points without faces {different} are different and finite; a surface takes three at least")]
+    #[error(
+        "a cloud without faces has to have three points at least that are different and finite; of the {points} here there {} {different}",
+        if *.different == 1 { "is" } else { "are" }
+    )]
     TooFew {
         /// Points given.
         points: usize,

@@ -1,5 +1,6 @@
 //! Which triangles share sides, where no side has more than two.
 
+use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
@@ -133,16 +134,21 @@ impl Sides {
         open.sort_unstable();
         let mut is_seen = vec![false; open.len()];
         let mut loops = Vec::new();
+        // Of the points of a walk.
+        let mut place_of: HashMap<u32, usize> = HashMap::new();
         for begin in 0..open.len() {
             // A walk comes back to where it began: at each point as many open sides begin as end.
             let (mut next_open, mut walk) = (Some(begin).filter(|&begin| !is_seen[begin]), Vec::new());
             while let Some(at) = next_open {
                 is_seen[at] = true;
                 let (start, side) = open[at];
+                place_of.insert(start, walk.len());
                 walk.push(start);
                 let end = start_of(triangles, next(side));
-                if let Some(closed) = walk.iter().position(|&vertex| vertex == end) {
-                    loops.push(walk.split_off(closed));
+                if let Some(&closed) = place_of.get(&end) {
+                    let around = walk.split_off(closed);
+                    around.iter().for_each(|vertex| drop(place_of.remove(vertex)));
+                    loops.push(around);
                 }
                 let corners = [start, end, start_of(triangles, next(next(side)))];
                 let first = open.partition_point(|&(vertex, _)| vertex < end);

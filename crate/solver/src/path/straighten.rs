@@ -26,7 +26,7 @@ const LONGEST_WORK: usize = 1000;
 /// its ends all turns around it within the surface are π at least.
 ///
 /// # Errors
-/// [`Error::Surface`](crate::Error::Surface) with `ForeignSurface` for a path on another surface.
+/// [`Error::Surface`] with `ForeignSurface` for a path on another surface.
 pub fn straighten(surface: &Surface, path: &Path) -> Result<Path> {
     surface.require_own(path.surface(), "path")?;
     let pieces = path.points.chunk_by(|a, b| b.location.lies_on(surface, a.face));
