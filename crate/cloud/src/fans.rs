@@ -44,7 +44,9 @@ impl<'a> Fans<'a> {
         let angles = [0, 1, 2].map(|k| self.angle(triangle, k));
         let normal = self.normal(triangle);
         let is_flat = |vertex: u32| normal.dot(self.planes[vertex as usize].normal).abs() >= UPRIGHT;
-        let fits = (0..3).all(|k| is_flat(triangle[k]) && self.is_free(triangle[k], angles[k]));
+        let fits = (0..3).all(|k| is_flat(triangle[k]) && self.is_free(triangle[k], angles[k]))
+            // Beside a point that lies square to a plane angles tell nothing.
+            && (0..3).all(|k| self.beside(triangle, k).nth(1).is_none());
         if fits {
             self.add(triangle, angles);
         }
@@ -56,8 +58,7 @@ impl<'a> Fans<'a> {
     pub fn take_unless_folded(&mut self, triangle: [u32; 3], cosine: f64) -> bool {
         let own = self.normal(triangle);
         let fits = (0..3).all(|k| {
-            let [a, b] = [triangle[k], triangle[(k + 1) % 3]];
-            let mut beside = self.around(a).filter(|other| other.contains(&b));
+            let mut beside = self.beside(triangle, k);
             match (beside.next(), beside.next()) {
                 (None, _) => true,
                 (Some(other), None) => own.dot(self.normal(other)) > cosine,
@@ -84,9 +85,10 @@ impl<'a> Fans<'a> {
         self.triangles.push(triangle);
     }
 
-    /// The triangles at a point.
-    fn around(&self, point: u32) -> impl Iterator<Item = [u32; 3]> + '_ {
-        self.corners_of(point).map(|corner| self.triangles[corner as usize / 3])
+    /// The triangles at a side of another one.
+    fn beside(&self, triangle: [u32; 3], k: usize) -> impl Iterator<Item = [u32; 3]> + '_ {
+        let [a, b] = [triangle[k], triangle[(k + 1) % 3]];
+        self.corners_of(a).map(|corner| self.triangles[corner as usize / 3]).filter(move |other| other.contains(&b))
     }
 
     fn corners_of(&self, point: u32) -> impl Iterator<Item = u32> + '_ {

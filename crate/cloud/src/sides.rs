@@ -137,7 +137,9 @@ impl Sides {
         // Of the points of a walk.
         let mut place_of: HashMap<u32, usize> = HashMap::new();
         for begin in 0..open.len() {
-            // A walk comes back to where it began: at each point as many open sides begin as end.
+            // A walk comes back to where it began, since at each point as many open sides begin as end; but where triangles cannot agree in
+            // orientation, and its rest is no loop.
+            place_of.clear();
             let (mut next_open, mut walk) = (Some(begin).filter(|&begin| !is_seen[begin]), Vec::new());
             while let Some(at) = next_open {
                 is_seen[at] = true;

@@ -27,10 +27,6 @@ const WIDTH: f64 = 0.5;
 const ROUNDS: usize = 2;
 /// Most radius of the circle around a triangle, in spacings: what is left open beyond is a hole.
 const WIDEST: f64 = 3.0;
-/// Where more than three points lie on a circle, which of their triangles are chosen is decided by weights of points, as they have in power
-/// diagrams, of this share of squared spacings; all stars have the same.
-const TIE: f64 = 1e-7;
-
 /// A corner of the cell, and the neighbour whose bisector is on the way to the next one; none on the border.
 #[derive(Clone, Copy)]
 struct Corner {
@@ -69,11 +65,11 @@ impl Stars {
                 else {
                     continue;
                 };
-                let mut is_final = self.clip(&plane, point);
+                let mut is_final = self.clip(&plane);
                 for _ in 0..ROUNDS {
-                    let Some(better) = self.refined(&plane, positions, point) else { break };
+                    let Some(better) = self.refined(&plane, positions, place) else { break };
                     plane = better;
-                    is_final = self.clip(&plane, point);
+                    is_final = self.clip(&plane);
                 }
                 let ([turns, width], triangles) = self.triangles(&plane, positions, place);
                 if best.as_ref().is_none_or(|best| turns + width < best.0) {
@@ -119,8 +115,7 @@ impl Stars {
     }
 
     /// The plane square to the mean normal of the triangles around the point.
-    fn refined(&self, plane: &Plane, positions: &[DVec3], point: u32) -> Option<Plane> {
-        let place = positions[point as usize];
+    fn refined(&self, plane: &Plane, positions: &[DVec3], place: DVec3) -> Option<Plane> {
         let sides = self.cell.iter().zip(self.cell.iter().cycle().skip(1));
         let areas = sides.filter_map(|(before, corner)| {
             let [a, b] = [before.beside?, corner.beside?].map(|other| positions[other as usize] - place);
@@ -130,12 +125,12 @@ impl Stars {
     }
 
     /// Clips the cell. Returns whether no farther neighbour could change it.
-    fn clip(&mut self, plane: &Plane, point: u32) -> bool {
+    fn clip(&mut self, plane: &Plane) -> bool {
         let far = 2.0 * WIDEST * plane.spacing;
         let border = [(-far, -far), (far, -far), (far, far), (-far, far)];
         self.cell.clear();
         self.cell.extend(border.map(|(x, y)| Corner { at: DVec2::new(x, y), beside: None }));
-        let (laid, tie) = (plane.lay(), TIE * plane.spacing * plane.spacing);
+        let laid = plane.lay();
         for (&(squared, other), &offset) in self.near.iter().zip(&self.offsets) {
             let reach = self.cell.iter().map(|corner| corner.at.length_squared()).fold(0.0, f64::max);
             // Twice the cell's radius.
@@ -143,8 +138,7 @@ impl Stars {
                 return true;
             }
             let Some(at) = laid(offset) else { continue };
-            let level = 0.5 * (squared + tie * (weight(point) - weight(other)));
-            let beyond = |corner: &Corner| corner.at.dot(at) - level;
+            let beyond = |corner: &Corner| corner.at.dot(at) - 0.5 * squared;
             self.clipped.clear();
             for (index, corner) in self.cell.iter().enumerate() {
                 let next = &self.cell[(index + 1) % self.cell.len()];
@@ -165,12 +159,4 @@ impl Stars {
         let reach = self.cell.iter().map(|corner| corner.at.length_squared()).fold(0.0, f64::max);
         self.near.last().is_some_and(|last| last.0 >= 4.0 * reach)
     }
-}
-
-/// A number from 0 to 1 for each point, without a pattern (the finalizer of SplitMix64: Steele, Lea, Flood 2014).
-fn weight(point: u32) -> f64 {
-    let mut bits = u64::from(point).wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    (bits ^ (bits >> 31)) as f64 / u64::MAX as f64
 }

@@ -58,6 +58,7 @@ pub fn attach(
             }
             _ => {
                 triangles[triangle as usize] = [a, b, stray];
+                beside.entry(stray).or_default().push(triangle);
                 vec![[b, c, stray], [c, a, stray]]
             }
         };

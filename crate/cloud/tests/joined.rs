@@ -146,6 +146,27 @@ fn points_of_one_place_are_one_and_those_that_are_nowhere_are_on_no_triangle() {
 }
 
 #[test]
+fn any_points_at_all_are_joined_or_refused_and_what_is_joined_has_distances() {
+    let mut random = SplitMix64::seed_from_u64(9);
+    for round in 0..3000 {
+        let count = 3 + round % 60;
+        // On few places, so that many points are of one, on one line or in one plane.
+        let few = 2 + round % 7;
+        let mut coordinate = || f64::from((random.random::<f64>() * few as f64) as u32) * 0.5;
+        let points: Vec<DVec3> = (0..count).map(|_| dvec3(coordinate(), coordinate(), coordinate())).collect();
+        match Cloud::join("cloud", points, NonZeroUsize::MIN) {
+            Ok(cloud) => {
+                let joined = count - cloud.report.unjoined_points;
+                let surface = Arc::new(Surface::build(&cloud.soup).expect("a surface"));
+                assert_eq!(surface.vertices_of_inputs().iter().flatten().count(), joined, "{}", cloud.report);
+                assert!(surface.report().non_manifold_edges == 0);
+            }
+            Err(error) => assert!(matches!(error, Error::TooFew { .. } | Error::Line { .. }), "{error}"),
+        }
+    }
+}
+
+#[test]
 fn what_is_no_surface_is_refused() {
     let refused = |points: Vec<DVec3>| Cloud::join("cloud", points, NonZeroUsize::MIN).expect_err("no surface");
     assert_eq!(refused(Vec::new()), Error::TooFew { points: 0, different: 0 });
