@@ -16,7 +16,7 @@ use heatwalk_shapes as shapes;
 use crate::common::searches::geometry;
 use crate::common::shortness::{check_valid, largest_kink, sharpest_turn};
 use crate::common::truth::Random;
-use crate::common::{band, nearest, square, surface, two_squares};
+use crate::common::{band, nearest, quads, square, surface, two_squares};
 use crate::straighten::cube;
 
 /// Checks all that must hold of a closed geodesic, where it begins as well.
@@ -79,6 +79,58 @@ fn any_closed_walk_on_a_torus_tightens_to_a_closed_geodesic_of_its_class() {
         let meridian = closed_geodesic(&surface, &around(&surface, &meridian)).expect("a loop");
         check_closed(&surface, &meridian);
         assert!((meridian.length() - TAU * 0.4).abs() < 0.03, "{}", meridian.length());
+    }
+}
+
+#[test]
+fn any_closed_walk_anywhere_tightens_to_a_closed_geodesic_or_to_nothing() {
+    let mut random = Random::new(12);
+    let mut kept = 0;
+    for soup in [shapes::torus(1.0, 0.4, 9, 5), double_torus(), band(7, 1), frustum(3), frustum(5)] {
+        for _ in 0..30 {
+            let mut soup = soup.clone();
+            let mut jitter = || 0.2 * (random.share() - 0.5);
+            soup.positions.iter_mut().for_each(|position| *position += dvec3(jitter(), jitter(), jitter()));
+            let surface = surface(&soup);
+            let places: Vec<DVec3> =
+                (0..4).map(|_| surface.position(VertexId(random.below(surface.vertex_count()) as u32))).collect();
+            let walk = around(&surface, &places);
+            match walk.is_closed(&surface).then(|| closed_geodesic(&surface, &walk)) {
+                None => {}
+                Some(Err(error)) => assert_eq!(error, Error::Contractible),
+                Some(Ok(path)) => {
+                    kept += 1;
+                    check_closed(&surface, &path);
+                    assert!(path.length() <= walk.length());
+                }
+            }
+        }
+    }
+    assert!(kept > 30, "{kept}");
+}
+
+/// A pyramid of so many sides without its base and without its top, the upper rim half as wide as the lower one.
+fn frustum(sides: u32) -> Soup {
+    let rows = 3;
+    let at = |row: u32, side: u32| {
+        let (sin, cos) = (TAU * f64::from(side) / f64::from(sides)).sin_cos();
+        let up = f64::from(row) / f64::from(rows);
+        dvec3(cos * (2.0 - up), sin * (2.0 - up), 3.0 * up)
+    };
+    let positions = (0..=rows).flat_map(|row| (0..sides).map(move |side| at(row, side))).collect();
+    let quads = quads(0..rows, sides, |row, side| row * sides + side % sides);
+    Soup::single("frustum", positions, quads.collect())
+}
+
+#[test]
+fn around_a_frustum_it_slides_to_the_narrow_rim() {
+    for sides in [3, 4, 7] {
+        let surface = surface(&frustum(sides));
+        let lower: Vec<DVec3> = (0..sides).map(|side| surface.position(VertexId(side))).collect();
+        let path = closed_geodesic(&surface, &around(&surface, &lower)).expect("a loop");
+        check_closed(&surface, &path);
+        let rim = 2.0 * f64::from(sides) * (PI / f64::from(sides)).sin();
+        assert!((path.length() - rim).abs() < 1e-12, "{} for {rim}", path.length());
     }
 }
 

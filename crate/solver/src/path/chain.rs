@@ -11,7 +11,7 @@ use heatwalk_surface::{FaceId, Path, PathPoint, Place};
 
 use super::funnel::{Segment, share_of, tighten};
 use super::link::{Turn, shortest_turn};
-use super::ring::{STRAIGHT, tighten_ring};
+use super::ring::{STRAIGHT, tighten_ring, total};
 use super::strip::{Step, Strip, unfold};
 
 /// A vertex that the path goes through, or one of its ends; of a closed curve that goes through no vertex, any place of it.
@@ -372,9 +372,4 @@ pub(super) fn begun_at(around: &[PathPoint], start: usize) -> Vec<PathPoint> {
     let before = (start + around.len() - 1) % around.len();
     let end = PathPoint { face: around[before].face, ..around[start] };
     around[start..].iter().chain(&around[..start]).copied().chain([end]).collect()
-}
-
-/// In mean edges.
-fn total(segments: &[Segment]) -> f64 {
-    segments.iter().map(|segment| segment.length).sum()
 }
