@@ -1,8 +1,9 @@
 //! Distances of vertices.
 
+use std::num::NonZeroUsize;
 use std::sync::{Mutex, PoisonError};
 
-use heatwalk::{Choice, InputPlace, SurfacePoint, VertexId};
+use heatwalk::{Answer, Choice, DistanceOptions, InputPlace, SurfacePoint, VertexId, surface, surface::memory};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -92,8 +93,10 @@ impl Mesh {
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let count = self.soup().positions.len();
-        let every = |_: ()| (0..count).map(|vertex| Wanted::On(InputPlace::Vertex(vertex))).collect();
-        let sources = sources.map_or_else(|| Ok(every(())), |sources| several("source", sources))?;
+        let sources = match sources {
+            None => (0..count).map(|vertex| Wanted::On(InputPlace::Vertex(vertex))).collect(),
+            Some(sources) => several("source", sources)?,
+        };
         let targets = match targets {
             None => (0..count as u64).collect(),
             Some(targets) => Given::new("targets", targets)?.row(None)?.indices()?,
@@ -124,8 +127,8 @@ struct Question {
     sources: Vec<Wanted>,
     /// None for vertices that no face uses.
     targets: Vec<Option<VertexId>>,
-    options: heatwalk::DistanceOptions,
-    threads: std::num::NonZeroUsize,
+    options: DistanceOptions,
+    threads: NonZeroUsize,
 }
 
 enum Kind {
@@ -178,7 +181,7 @@ impl Mesh {
         let vertices = self.surface().vertices_of_inputs();
         let column = |&target: &u64| {
             let index = usize::try_from(target).unwrap_or(usize::MAX);
-            let missing = heatwalk::surface::Error::NoSuchVertex { vertex: index, vertices: vertices.len() };
+            let missing = surface::Error::NoSuchVertex { vertex: index, vertices: vertices.len() };
             Ok(*vertices.as_slice().get(index).ok_or(missing)?)
         };
         targets.iter().map(column).collect()
@@ -212,7 +215,7 @@ impl Mesh {
                 return Ok(numbers);
             }
             self.with_solver(|solver| {
-                let tell = |row: usize, answer: heatwalk::Answer| {
+                let tell = |row: usize, answer: Answer| {
                     let mut line = lines[row].lock().unwrap_or_else(PoisonError::into_inner);
                     for (entry, target) in line.iter_mut().zip(targets) {
                         *entry = number(target.map_or(f64::INFINITY, |vertex| answer.distance.values[vertex]));
@@ -243,8 +246,7 @@ fn room<T: Copy + Default>([rows, columns]: [usize; 2]) -> Result<Vec<T>> {
     let count = rows.checked_mul(columns).filter(|&count| count <= MOST_BYTES / size_of::<T>());
     let has_room = |&count: &usize| {
         let needed = count as u64 * size_of::<T>() as u64;
-        heatwalk::surface::memory::require(needed, "making the matrix").is_ok()
-            && Vec::<T>::new().try_reserve_exact(count).is_ok()
+        memory::require(needed, "making the matrix").is_ok() && Vec::<T>::new().try_reserve_exact(count).is_ok()
     };
     let Some(count) = count.filter(has_room) else {
         let bytes = rows as f64 * columns as f64 * size_of::<T>() as f64;

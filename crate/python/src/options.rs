@@ -16,7 +16,7 @@ const SEARCH: [&str; 2] = ["windows", "max_distance"];
 
 /// What is asked of the solver. An option that the method does not heed is refused.
 pub fn distance_options(method: &str, given: Option<&Bound<'_, PyDict>>) -> Result<DistanceOptions> {
-    let mut options = DistanceOptions::by(parsed("method", method)?);
+    let mut options = DistanceOptions::by(method.parse::<Method>()?);
     for (name, value) in given.into_iter().flatten() {
         let name = name.to_string();
         let heat = HEAT.contains(&name.as_str());
@@ -62,14 +62,7 @@ where
     if !is_told {
         return Err(PyTypeError::new_err(format!("{name} is {}; give a string or a number", value.repr()?)).into());
     }
-    parsed(name, &value.str()?.to_string())
-}
-
-fn parsed<T: FromStr>(_: &str, text: &str) -> Result<T>
-where
-    Failure: From<T::Err>,
-{
-    Ok(text.parse::<T>()?)
+    Ok(value.str()?.to_string().parse::<T>()?)
 }
 
 fn number(name: &str, value: &Bound<'_, PyAny>) -> Result<f64> {
