@@ -1,4 +1,4 @@
-//! Answers as the named tuples of `heatwalk._answers`.
+//! Places and paths in the words of the caller.
 
 use heatwalk::surface::PathPoint;
 use heatwalk::{FaceId, InputPlace, Path, Place};
@@ -7,17 +7,10 @@ use pyo3::prelude::*;
 
 use crate::arrays::{rows, vectors};
 use crate::mesh::Mesh;
+use crate::named::named;
 
 /// What places are told by: `n` faces of the caller, and `n × 3` weights of their corners.
 pub type Places<'py> = (Bound<'py, PyArray1<i64>>, Bound<'py, PyArray2<f64>>);
-
-/// A named tuple of these fields.
-pub fn named<'py, A>(py: Python<'py>, name: &str, fields: A) -> PyResult<Bound<'py, PyAny>>
-where
-    A: pyo3::call::PyCallArgs<'py>,
-{
-    py.import("heatwalk._answers")?.getattr(name)?.call1(fields)
-}
 
 impl Mesh {
     /// Places on faces, in the words of the caller.

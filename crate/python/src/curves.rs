@@ -9,11 +9,11 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 
-use crate::answers::named;
 use crate::arrays::{Given, vectors};
 use crate::errors::{Failure, Result};
 use crate::interrupt::run;
 use crate::mesh::Mesh;
+use crate::named::named;
 use crate::sources::{Wanted, place, several};
 
 /// What stands for all boundaries of a surface.

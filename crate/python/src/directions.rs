@@ -6,11 +6,11 @@ use heatwalk::{Choice, Element, Method, VertexId, log_map, transport};
 use numpy::{Complex64, PyArray1, PyArray2};
 use pyo3::prelude::*;
 
-use crate::answers::named;
 use crate::arrays::{Given, rows, vectors};
 use crate::errors::{Failure, Result};
 use crate::interrupt::run;
 use crate::mesh::Mesh;
+use crate::named::named;
 use crate::sources::{one, several};
 
 /// Rows, columns and values.

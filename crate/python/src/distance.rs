@@ -8,11 +8,11 @@ use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::answers::named;
 use crate::arrays::{Given, shaped};
 use crate::errors::{Failure, Result};
 use crate::interrupt::run;
 use crate::mesh::{Mesh, all_threads, checked_threads};
+use crate::named::named;
 use crate::options::distance_options;
 use crate::sources::{Wanted, several};
 

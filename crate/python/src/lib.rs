@@ -11,6 +11,7 @@ mod distance;
 mod errors;
 mod interrupt;
 mod mesh;
+mod named;
 mod options;
 mod paths;
 mod read;

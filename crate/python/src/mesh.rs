@@ -15,10 +15,10 @@ use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
-use crate::answers::named;
 use crate::arrays::{Given, rows, vectors};
 use crate::errors::{Failure, Result};
 use crate::interrupt::run;
+use crate::named::named;
 use crate::options;
 use crate::turn::Turns;
 

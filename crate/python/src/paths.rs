@@ -6,12 +6,12 @@ use heatwalk::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::answers::named;
 use crate::arrays::vector;
 use crate::directions::direction;
 use crate::errors::{Failure, Result};
 use crate::interrupt::run;
 use crate::mesh::Mesh;
+use crate::named::named;
 use crate::options::distance_options;
 use crate::sources::{one, several};
 

@@ -7,11 +7,11 @@ use heatwalk::{
 use numpy::PyArray1;
 use pyo3::prelude::*;
 
-use crate::answers::named;
 use crate::arrays::{Given, vector, vectors};
 use crate::errors::Failure;
 use crate::interrupt::run;
 use crate::mesh::Mesh;
+use crate::named::named;
 use crate::sources::{one, several};
 
 #[pymethods]
