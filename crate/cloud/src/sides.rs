@@ -149,7 +149,9 @@ impl Sides {
                 let end = start_of(triangles, next(side));
                 if let Some(&closed) = place_of.get(&end) {
                     let around = walk.split_off(closed);
-                    around.iter().for_each(|vertex| drop(place_of.remove(vertex)));
+                    for vertex in &around {
+                        place_of.remove(vertex);
+                    }
                     loops.push(around);
                 }
                 let corners = [start, end, start_of(triangles, next(next(side)))];
