@@ -1,5 +1,7 @@
 //! The place of a surface that is nearest to a point in space.
 
+use std::ops::Range;
+
 use glam::DVec3;
 use heatwalk_base::parallel;
 
@@ -7,6 +9,7 @@ use crate::bridges::nearest_on_triangle;
 use crate::element::{Element, FaceId};
 use crate::index::{Bounds, Tree, along_curve};
 use crate::point::Place;
+use crate::scale::scale;
 use crate::surface::Surface;
 use crate::triangle::{area_vector, length};
 
@@ -19,7 +22,10 @@ pub struct NearestPlaces {
     /// All faces, neighbours near each other.
     faces: Vec<FaceId>,
     tree: Tree<2, LEAF>,
+    /// Of what is in the nodes, times the scale.
     bounds: Vec<Bounds>,
+    /// By which all is measured, so that products of three lengths are numbers.
+    scale: f64,
 }
 
 impl NearestPlaces {
@@ -33,11 +39,12 @@ impl NearestPlaces {
         let order = along_curve(surface.face_count(), middle, parallel::ONE);
         let faces: Vec<FaceId> = order.into_iter().map(FaceId).collect();
         let tree = Tree::new(faces.len());
-        let of_leaf = |leaf: std::ops::Range<usize>| {
-            Bounds::of_points(faces[leaf].iter().flat_map(|&face| surface.corners(face)))
+        let scale = scale(surface.bounding_radius());
+        let of_leaf = |leaf: Range<usize>| {
+            Bounds::of_points(faces[leaf].iter().flat_map(|&face| scaled(surface.corners(face), scale)))
         };
         let bounds = tree.values(of_leaf, Bounds::around);
-        Self { faces, tree, bounds }
+        Self { faces, tree, bounds, scale }
     }
 
     /// The place of their surface that is nearest to a point, and how far that is, in the file's unit; a vertex or on an edge
@@ -45,13 +52,14 @@ impl NearestPlaces {
     #[must_use]
     pub fn nearest(&self, surface: &Surface, point: DVec3) -> Option<(Place, f64)> {
         let mut best = None;
+        let [point] = scaled([point], self.scale);
         let at = Bounds::at(point);
         self.tree.nearest(
             f64::INFINITY,
             |node| self.bounds[node].squared_distance(at),
             |leaf, bound| {
                 self.faces[leaf].iter().fold(bound, |bound, &face| {
-                    let corners = surface.corners(face);
+                    let corners = scaled(surface.corners(face), self.scale);
                     let weights = nearest_on_triangle(point, &corners, area_vector(corners));
                     let nearest: DVec3 = corners.iter().zip(weights).map(|(&corner, weight)| corner * weight).sum();
                     let squared = nearest.distance_squared(point);
@@ -63,8 +71,12 @@ impl NearestPlaces {
                 })
             },
         );
-        best.map(|(place, nearest)| (place.snapped(surface), length(nearest - point)))
+        best.map(|(place, nearest)| (place.snapped(surface), length(nearest - point) / self.scale))
     }
+}
+
+fn scaled<const N: usize>(points: [DVec3; N], scale: f64) -> [DVec3; N] {
+    points.map(|point| point * scale)
 }
 
 #[cfg(test)]
@@ -98,6 +110,13 @@ mod tests {
             // The sum of three weights misses 1 by rounding.
             assert!((each.fold(f64::INFINITY, f64::min) - distance).abs() < 1e-14);
             assert!((place.position(&surface).distance(from) - distance).abs() < 1e-9);
+        }
+        for factor in [1e-120, 1e120] {
+            let positions = [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| corner * factor).to_vec();
+            let surface = Surface::build(&Soup::single("triangle", positions, vec![[0, 1, 2]])).unwrap();
+            let found = NearestPlaces::new(&surface).nearest(&surface, DVec3::new(0.25, 0.25, 2.0) * factor);
+            let (Place::Face { weights, .. }, distance) = found.unwrap() else { panic!("inside of the triangle") };
+            assert!((weights[0] - 0.5).abs() < 1e-14 && (distance / factor - 2.0).abs() < 1e-14);
         }
         let vertex = VertexId(7);
         assert_eq!(places.nearest(&surface, surface.position(vertex)), Some((Place::Vertex(vertex), 0.0)));
