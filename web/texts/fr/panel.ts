@@ -102,6 +102,7 @@ export const PANEL: Texts = {
   'What is nearest to each source, in colors, by exact distances':
     'Ce qui est le plus proche de chaque source, en couleurs, par distances exactes',
   'Nearest source': 'Source la plus proche',
+  Percentage: 'Pourcentage',
   Area: 'Aire',
   Borders: 'Frontières',
   'as seen, SVG': 'telles que vues, SVG',

@@ -115,7 +115,7 @@ function tableOf({ scene, shown }: Session, { areas }: FoundCells): HTMLElement 
     return h('tr', {}, h('th', { scope: 'row' }, mark, ' ', title), ...numbers.map((number) => h('td', {}, number)));
   });
   const area = withUnit(t('Area'), unit.symbol && `${unit.symbol}²`);
-  const heads = [t('Nearest source'), area, t('Share')].map((head) => h('th', { scope: 'col' }, head));
+  const heads = [t('Nearest source'), area, t('Percentage')].map((head) => h('th', { scope: 'col' }, head));
   return h(
     'table',
     { class: 'rows' },
