@@ -1,6 +1,7 @@
 import { defineConfig } from 'vite';
 import { docs } from './tools/vite/docs.ts';
 import { host } from './tools/vite/host.ts';
+import { meshes } from './tools/vite/meshes.ts';
 import { offline, OFFLINE_WORKER } from './tools/vite/offline.ts';
 import { schemes } from './tools/vite/schemes.ts';
 
@@ -15,7 +16,7 @@ export default defineConfig({
   base: './',
   worker: { format: 'es' },
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [docs(import.meta.dirname), host(), offline(), schemes()],
+  plugins: [docs(import.meta.dirname), host(), meshes(), offline(), schemes()],
   build: {
     target: 'es2022',
     outDir: 'dist',

@@ -2,6 +2,7 @@
 import { defineConfig } from 'vite';
 import { documentsWithin } from './tools/vite/docs.ts';
 import { host } from './tools/vite/host.ts';
+import { meshes } from './tools/vite/meshes.ts';
 import { packedModules, singleFile } from './tools/vite/single.ts';
 import shared from './vite.config.ts';
 
@@ -12,7 +13,7 @@ export default defineConfig({
   base: './',
   publicDir: false,
   assetsInclude: shared.assetsInclude ?? [],
-  plugins: [packedModules(), documentsWithin(import.meta.dirname), host(), singleFile()],
+  plugins: [packedModules(), documentsWithin(import.meta.dirname), host(), meshes(), singleFile()],
   // Chromium loads no modules from what a page of a file makes, but other scripts.
   worker: { format: 'iife', rolldownOptions: { output: { codeSplitting: false } } },
   build: {
