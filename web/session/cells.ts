@@ -36,7 +36,7 @@ export class Cells {
 
   /** Shows what the scene wants by now. Resolves when it is shown, or something else is wanted. */
   follow(): Promise<void> {
-    const { engine, shown, scene, pose, animator, paused } = this.#session;
+    const { engine, shown, scene, pose, animator, paused, cells } = this.#session;
     const isMoving = animator.plays && !paused.value;
     const isWanted = scene.state.overlays.includes('cells') && !isMoving;
     const { value } = shown;
@@ -49,6 +49,8 @@ export class Cells {
     if (allSources(scene.state) !== answer.question.sources) return this.#finding;
     const asked = { engine, question: answer.question, moment: JSON.stringify(pose.value) };
     if (this.#asked && isSame(this.#asked, asked)) return this.#finding;
+    if (this.#asked && !isSameSurface(this.#asked, asked)) this.#clear();
+    else if (cells.value) cells.value = { ...cells.value, outdated: true };
     this.#asked = asked;
     this.#question += 1;
     const wish = wishOf(opened, answer.question, scene.state);

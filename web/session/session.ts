@@ -1,12 +1,13 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
 import { Failure, isUnsolved, toError } from '../error';
-import type { FoundCells, Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
+import type { Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
 import { type Answer, type Engine, isFieldOf, isSameMoment, type Question } from '../solver/engine';
 import { Refiner } from '../solver/refiner';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { ofModel, unitOf } from '../length';
+import type { ShownCells } from '../state/cells';
 import { measure } from '../state/measures';
 import { Places } from '../state/places';
 import type { Scene } from '../state/history';
@@ -85,7 +86,7 @@ export class Session {
   /** A question to the solver failed, or the worker that holds the mesh was lost. */
   readonly failure = new Signal<Error | null>(null);
   /** What is nearest to each source, where that is shown. */
-  readonly cells = new Signal<FoundCells | null>(null);
+  readonly cells = new Signal<ShownCells | null>(null);
   /** The pose that the mesh on screen is shown in; null: that of its file. */
   readonly pose = new Signal<Moment | null>(null);
   readonly animator: Animator;

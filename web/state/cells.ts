@@ -1,5 +1,11 @@
-/** Colors of cells. */
+/** Cells that are shown, and their colors. */
+import type { FoundCells } from '../protocol';
 import type { Vector } from './vector';
+
+/** `outdated`: while others are found. */
+export interface ShownCells extends FoundCells {
+  outdated?: boolean;
+}
 
 /** Between the hues of one cell and the next, in turns: the golden angle, so that few cells and many are all told apart. */
 const TURN = (3 - Math.sqrt(5)) / 2;

@@ -88,6 +88,7 @@ export function cellsControls(session: Session): HTMLElement[] {
     on.show(scene.state.overlays.includes(CELLS));
     on.bar(shown.value && whyNoCells(shown.value, scene.state));
     saving.hidden = cells.value === null;
+    keep.disabled = cells.value?.outdated === true;
     spreading.hidden = shown.value?.opened.interior !== null || isWeighted(shown.value.answer.question.ground);
     relax.hidden = scene.state.sets.length > 0 || scene.state.sources.length < 2;
     table.replaceChildren(...(cells.value ? [tableOf(session, cells.value)] : []));
