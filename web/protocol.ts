@@ -315,8 +315,8 @@ export interface CurveFile {
   unit: LengthUnit;
 }
 
-/** A surface that cells are on. */
-export interface CellSurface {
+/** A surface with exact distances. */
+export interface ExactSurface {
   /** Tells surfaces apart, by whatever distance depends on besides the sources. */
   surface: number;
   /** The rule by which components are joined, and the number of links. */
@@ -325,7 +325,7 @@ export interface CellSurface {
 }
 
 /** Which cells are wanted: of what sources, on what surface. */
-export interface CellWish extends CellSurface {
+export interface CellWish extends ExactSurface {
   /** Tells questions apart: the next call with the same number goes on. */
   question: number;
   /** #S and #S × 3: the places of the sources, drawn triangles and weights of their corners. */
@@ -338,7 +338,7 @@ export interface CellWish extends CellSurface {
 }
 
 /** Other places in the stead of some: moved once to the middles of their cells, or so many, as far apart as can be. */
-export interface SpreadWish extends CellSurface {
+export interface SpreadWish extends ExactSurface {
   places: TrianglePlaces;
   count: number | null;
 }
@@ -353,6 +353,26 @@ export interface FoundCells {
   tiles: Uint32Array;
   /** #T × 3 × 3: the weights of their corners there. */
   corners: Float32Array;
+}
+
+/** Which image is wanted on the surface, and where. */
+export interface DecalWish extends ExactSurface {
+  /** Of its middle, a drawn triangle and weights of its corners. */
+  place: TrianglePlaces;
+  /** Half its width and half its height, in the unit of the file. */
+  half: readonly [number, number];
+  /** The direction of its right side, as it is drawn. */
+  right: readonly [number, number, number];
+}
+
+/** What of the surface an image covers: parts of triangles. */
+export interface LaidDecal {
+  /** #T: the drawn triangle that each is of. */
+  triangles: Uint32Array;
+  /** #T × 3 × 3: the weights of its corners at those of the part. */
+  corners: Float32Array;
+  /** #T × 3 × 2: where these are in the image, from 0 to 1 to the right and down. */
+  image: Float32Array;
 }
 
 /** A plane, in the unit and the axes of the file: where a point times `normal`, which has length 1, is `offset`. */

@@ -11,7 +11,7 @@ const NO_TEXT =
   /^(Enter|Delete|Backspace|Escape|Home|End|Files|Heatwalk|Python|Rust|Fetching|(pin|initial|quiet|stack) \w+|\.initial input|<iframe .*|--.*|import \w+|# .*|(message|tape-label) \{0\}|\{0\} (ms|px|tapes\.csv)|M\{0\}.*|too (large|long)|cut off|no (run|vertex))$/;
 /** Both languages write them alike. */
 const ALIKE =
-  /^[^a-z]*$|OBJ|DXF|CSV|[×°]|^(Animation|Sources?|Style|Auto|Propagation|Cholesky|Convergence|Distances?|triangles?|contacts?|points?|exact|Distance|Contacts|Surface|Position|Triangles|Relief|Pause|Maximum|Action|Zoom|Robot|Dragon|Village|Triangle \{0\}|\{0\}, .*|\{0\} triangles|area .*|Stanford .*|distance|propagation|magma|turbo|viridis|jade|studio|contour|Ctrl\+[KV]|(face|buffer|image|skin) \{0\}|Exact\.|.* exact|\{0\} (s|ms|px|contacts?|triangles?|\(P\))|\{0\} \/ s|m = \{0\}|Sources: \{0\})$/;
+  /^[^a-z]*$|OBJ|DXF|CSV|[×°]|^(Animation|Image|Angle|Sources?|Style|Auto|Propagation|Cholesky|Convergence|Distances?|triangles?|contacts?|points?|exact|Distance|Contacts|Surface|Position|Triangles|Relief|Pause|Maximum|Action|Zoom|Robot|Dragon|Village|Triangle \{0\}|\{0\}, .*|\{0\} triangles|area .*|Stanford .*|distance|propagation|magma|turbo|viridis|jade|studio|contour|Ctrl\+[KV]|(face|buffer|image|skin) \{0\}|Exact\.|.* exact|\{0\} (s|ms|px|contacts?|triangles?|\(P\))|\{0\} \/ s|m = \{0\}|Sources: \{0\})$/;
 
 const values = (text: string) => [...text.matchAll(/\{\d\}/g)].map(([value]) => value).toSorted();
 

@@ -51,6 +51,11 @@ export function isTable(path: string): boolean {
   return extensionOf(path) === TABLE;
 }
 
+/** Whether it is an image that browsers show. */
+export function isImage(path: string): boolean {
+  return /\.(png|jpe?g|webp|gif|avif|svg|bmp)$/i.test(path);
+}
+
 export function fileName(path: string): string {
   return path.slice(path.lastIndexOf('/') + 1);
 }

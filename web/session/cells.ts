@@ -1,15 +1,16 @@
 /** What is nearest to each source: asks for it, and shows it as colors with borders. Loaded when it is first wanted. */
-import { Failure } from '../error';
-import type { CellSurface, CellWish, FoundCells, OpenedMesh, Source } from '../protocol';
+import type { CellWish, ExactSurface, FoundCells, Moment, OpenedMesh, Source } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
-import type { Answer, Engine } from '../solver/engine';
+import { type Answer, isSameMoment } from '../solver/engine';
 import { hasCosts, openCost, isWeighted } from '../state/ground';
 import { entry } from '../state/entry';
-import { mayBeJoined, type SceneState } from '../state/scene';
+import type { SceneState } from '../state/scene';
 import { allSources, withOffset } from '../state/sources';
 import type { Vector } from '../state/vector';
 import { colouredCells } from '../view/cells';
 import { RIM } from '../view/layers';
+import { layPatches } from '../view/patches';
+import { type Asked as OnSurface, isSameSurface, placesOf, surfaceOf } from './exact';
 import type { Session } from './session';
 import { t, type Words } from '../texts';
 
@@ -17,11 +18,10 @@ const BORDER = { colour: RIM, width: 2 } as const;
 const FIRST = Float64Array.of(1, 0, 0);
 
 /** What cells depend on. */
-interface Asked {
-  engine: Engine;
+interface Asked extends OnSurface {
   question: Answer['question'];
-  /** Of the pose that is shown. */
-  moment: string;
+  /** The pose that is shown. */
+  moment: Moment | null;
 }
 
 export class Cells {
@@ -47,7 +47,7 @@ export class Cells {
     const { opened, answer } = value;
     // Another answer is on its way.
     if (allSources(scene.state) !== answer.question.sources) return this.#finding;
-    const asked = { engine, question: answer.question, moment: JSON.stringify(pose.value) };
+    const asked = { engine, question: answer.question, moment: pose.value };
     if (this.#asked && isSame(this.#asked, asked)) return this.#finding;
     if (this.#asked && !isSameSurface(this.#asked, asked)) this.#clear();
     else if (cells.value) cells.value = { ...cells.value, outdated: true };
@@ -77,7 +77,7 @@ export class Cells {
     if (!shown.value) return;
     const { opened, places } = shown.value;
     const isOpen = opened.report.boundaryLoops > 0;
-    view.setPatches(colouredCells(opened.surface, places.drawn, found, places.drawnDiameter, isOpen));
+    layPatches(view, 'cells', colouredCells(opened.surface, places.drawn, found, places.drawnDiameter, isOpen));
     view.setEdges('cells', [{ ...BORDER, ends: found.ends }]);
     cells.value = found;
   }
@@ -86,7 +86,7 @@ export class Cells {
     if (!this.#asked) return;
     this.#asked = null;
     const { view, cells } = this.#session;
-    view.setPatches(null);
+    layPatches(view, 'cells', null);
     view.setEdges('cells', []);
     cells.value = null;
   }
@@ -103,25 +103,15 @@ export function whyNoCells(
   return null;
 }
 
-/** The surface that was asked last. */
-let numbered: { asked: Asked; number: number } | undefined;
-
-function surfaceOf(opened: OpenedMesh, asked: Asked): CellSurface {
-  if (!numbered || !isSameSurface(numbered.asked, asked)) numbered = { asked, number: (numbered?.number ?? 0) + 1 };
-  const { bridge, links } = asked.question;
-  const isJoined = mayBeJoined(opened);
-  return { surface: numbered.number, bridge: isJoined ? String(bridge) : 'off', links: isJoined ? links : 0 };
-}
-
 /**
  * Sources in the stead of the single ones: so many, each as far from those before as can be, or with null these moved once to the
  * middles of their cells. Null where there is no surface to ask.
  */
 export async function spreadSources(session: Session, count: number | null): Promise<readonly Source[] | null> {
-  const { engine, shown, scene, pose } = session;
+  const { engine, shown, scene } = session;
   if (!engine || !shown.value) return null;
   const { opened, answer } = shown.value;
-  const asked = { engine, question: answer.question, moment: JSON.stringify(pose.value) };
+  const asked = { engine, question: answer.question };
   const { sources } = scene.state;
   const places = sources.length > 0 ? placesOf(opened, sources) : { triangles: Uint32Array.of(0), weights: FIRST };
   const numbers = await engine.inTurn.spread({ ...surfaceOf(opened, asked), places, count });
@@ -140,24 +130,15 @@ function vertexOf({ surface: { triangles }, inputVertices }: OpenedMesh, corner:
 }
 
 function isSame(one: Asked, other: Asked): boolean {
-  return one.question.sources === other.question.sources && isSameSurface(one, other);
-}
-
-function isSameSurface({ engine, question, moment }: Asked, other: Asked): boolean {
-  return (
-    engine === other.engine &&
-    moment === other.moment &&
-    question.bridge === other.question.bridge &&
-    question.links === other.question.links &&
-    question.ground === other.question.ground
-  );
+  const areSame = one.question.sources === other.question.sources && isSameMoment(one.moment, other.moment);
+  return areSame && isSameSurface(one, other);
 }
 
 function wishOf(
   opened: OpenedMesh,
   { ground, sources }: Answer['question'],
   { sources: single, sets }: SceneState,
-): Omit<CellWish, 'question' | keyof CellSurface> {
+): Omit<CellWish, 'question' | keyof ExactSurface> {
   const places = placesOf(opened, sources);
   const cost = hasCosts(ground) ? openCost(ground) : 1;
   const ofSets = sets.flatMap(({ points }, set) => points.map(() => single.length + set));
@@ -167,23 +148,4 @@ function wishOf(
     cells: Uint32Array.from([...single.keys(), ...ofSets]),
     count: single.length + sets.length,
   };
-}
-
-/** Places as weights of corners of drawn triangles. */
-function placesOf({ surface, inputVertices, report }: OpenedMesh, sources: readonly Source[]): CellWish['places'] {
-  const cornerOf = new Int32Array(report.inputVertices).fill(-1);
-  surface.triangles.forEach((drawn, corner) => (cornerOf[entry(inputVertices, drawn)] = corner));
-  const places = { triangles: new Uint32Array(sources.length), weights: new Float64Array(3 * sources.length) };
-  sources.forEach((source, index) => {
-    if ('face' in source) {
-      places.triangles[index] = source.face;
-      places.weights.set(source.weights, 3 * index);
-      return;
-    }
-    const corner = 'vertex' in source ? (cornerOf[source.vertex] ?? -1) : -1;
-    if (corner < 0) throw new Failure(t('A source is on no triangle.'));
-    places.triangles[index] = Math.floor(corner / 3);
-    places.weights[3 * index + (corner % 3)] = 1;
-  });
-  return places;
 }

@@ -3,6 +3,7 @@ import { Failure, toError } from '../error';
 import type { MeshInput } from '../protocol';
 import type { MeshReference } from '../state/scene';
 import { fileName } from '../files/paths';
+import { askStore } from './store';
 import { t, type Words } from '../texts';
 
 /** Files as they came together. */
@@ -25,7 +26,6 @@ interface StoredFile extends Omit<KeptFile, 'input'> {
 }
 
 const DATABASE = 'heatwalk';
-const STORE = 'files';
 /** Of one opening, of all, and how many openings. */
 const MOST_BYTES = 2 ** 28;
 const MOST_BYTES_IN_ALL = 2 ** 29;
@@ -130,27 +130,6 @@ function sum(values: readonly number[]): number {
   return values.reduce((total, value) => total + value, 0);
 }
 
-/** One question to the store, which is open no longer than that: another page may erase it. */
-async function inStore<T>(mode: IDBTransactionMode, ask: (store: IDBObjectStore) => IDBRequest): Promise<T> {
-  const opening = indexedDB.open(DATABASE, 1);
-  opening.addEventListener('upgradeneeded', () => opening.result.createObjectStore(STORE, { keyPath: 'hash' }));
-  const database = await settled(opening);
-  try {
-    const transaction = database.transaction(STORE, mode);
-    const answer = (await settled(ask(transaction.objectStore(STORE)))) as T;
-    await new Promise<void>((resolve, reject) => {
-      transaction.addEventListener('complete', () => resolve());
-      transaction.addEventListener('abort', () => reject(toError(transaction.error)));
-    });
-    return answer;
-  } finally {
-    database.close();
-  }
-}
-
-function settled<T>(request: IDBRequest<T>): Promise<T> {
-  return new Promise((resolve, reject) => {
-    request.addEventListener('success', () => resolve(request.result));
-    request.addEventListener('error', () => reject(toError(request.error)));
-  });
+function inStore<T>(mode: IDBTransactionMode, ask: (files: IDBObjectStore) => IDBRequest): Promise<T> {
+  return askStore(DATABASE, mode, ask);
 }

@@ -2,7 +2,7 @@
 import { collect, collectArchive, type Collection, NoMesh } from '../files/collection';
 import { nameOf } from '../files/address';
 import { fetchCollection, type FetchListener } from '../files/fetch';
-import { fileName, isArchive, isTable } from '../files/paths';
+import { fileName, isArchive, isImage, isTable } from '../files/paths';
 import type { SceneFile } from '../files/scene';
 import { detailsOf, messageOf, toError } from '../error';
 import type { GivenInput } from './kept';
@@ -23,10 +23,11 @@ import type { OpenRequest, Shown } from './prepare';
 import type { Session } from './session';
 import { count, sentences, t, type Words } from '../texts';
 
-/** Files of one drop, paste or dialog. `title` names them while they are read. */
+/** Files of one drop, paste or dialog. `title` names them while they are read; `at`: where they were dropped, in the window. */
 export interface InputFiles {
   title: Words;
   files: Promise<readonly InputFile[]>;
+  at?: readonly [number, number];
 }
 
 /** What came together, and how the scene refers to a mesh of it. */
@@ -47,7 +48,7 @@ const SAME_PLACE = 1e-4;
 const ANYWHERE = Infinity;
 
 /** What means nothing on a mesh whose vertices and triangles are counted otherwise. */
-const NO_PLACES = { sources: UNCHOSEN, sets: [], walker: undefined, tapes: [], links: 0 } as const;
+const NO_PLACES = { sources: UNCHOSEN, sets: [], walker: undefined, tapes: [], decals: [], links: 0 } as const;
 
 export class Opener {
   readonly #session: Session;
@@ -79,8 +80,8 @@ export class Opener {
     await this.#open(request, () => this.#forget());
   }
 
-  /** Opens a mesh of files, in a state that is `wanted`; a table alone is for the mesh on screen. */
-  async files({ title, files }: InputFiles, wanted: SceneState | null = null): Promise<void> {
+  /** Opens a mesh of files, in a state that is `wanted`; tables or images alone are for the mesh on screen. */
+  async files({ title, files, at }: InputFiles, wanted: SceneState | null = null): Promise<void> {
     const given = await files.catch(() => []);
     const [only, ...more] = given;
     if (only && given.every(({ content }) => content.size === 0)) {
@@ -90,6 +91,11 @@ export class Opener {
     if (only && given.every(({ path }) => isTable(path))) {
       const { takeTable } = await import('./texts');
       await takeTable(this.#session, this.#notifier, given);
+      return;
+    }
+    if (only && given.every(({ path }) => isImage(path))) {
+      const { layFiles } = await import('./laying');
+      await layFiles(this.#session, given, at);
       return;
     }
     if (only && more.length === 0 && isArchive(only.path) && (await this.#scene(title, only.content))) return;

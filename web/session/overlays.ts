@@ -12,6 +12,7 @@ import {
 } from '../wasm/contract';
 import { type Edges, rimmed } from '../view/layers';
 import type { Cells } from './cells';
+import type { Decals } from './decals';
 import { drawnIsolines } from './isolines';
 import type { Session } from './session';
 
@@ -36,6 +37,7 @@ export class Overlays {
   #latest: Promise<void> = Promise.resolve();
   /** Once they were wanted. */
   #cells: Cells | undefined;
+  #decals: Decals | undefined;
 
   constructor(session: Session) {
     this.#session = session;
@@ -57,10 +59,13 @@ export class Overlays {
       const isSpaced = state.overlays.includes('isolines') && isElsewhere;
       const isOther = state.overlays !== previous.overlays || state.colorBy !== previous.colorBy;
       if (isSpaced || isOther) this.#latest = this.#update(true);
+      if (state.decals !== previous.decals)
+        this.#latest = Promise.all([this.#latest, this.#lay()]).then(() => undefined);
     });
     session.pose.watch(() => {
       const { overlays } = session.scene.state;
       if (overlays.some((overlay) => overlay !== 'scenery')) this.#latest = this.#update(true);
+      else void this.#decals?.follow();
     });
     session.shown.watch((shown, previous) => {
       const anew =
@@ -93,6 +98,7 @@ export class Overlays {
       }
       if (overlays.includes('cells')) this.#cells ??= new (await import('./cells')).Cells(session);
       const cells = this.#cells?.follow();
+      const decals = this.#lay();
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await this.#arrowsOf(engine, kind, field) : new Float32Array();
       const other = colorBy === 'distance' || !field ? null : await instead(engine, colorBy, field);
@@ -104,10 +110,18 @@ export class Overlays {
       view.setArrows(arrows);
       session.paint(other);
       await cells;
+      await decals;
     } catch (error) {
       // The answer by another method asks again.
       if (wish === this.#wish && method === session.scene.state.method) session.fail(error);
     }
+  }
+
+  /** Lays the images of the scene on the surface. */
+  async #lay(): Promise<void> {
+    const session = this.#session;
+    if (session.scene.state.decals.length > 0) this.#decals ??= new (await import('./decals')).Decals(session);
+    await this.#decals?.follow();
   }
 
   async #arrowsOf(

@@ -22,7 +22,7 @@ export interface Shown {
 }
 
 /** What is placed on a mesh. */
-export type Placed = Pick<SceneState, 'sources' | 'sets' | 'walker' | 'tapes'>;
+export type Placed = Pick<SceneState, 'sources' | 'sets' | 'walker' | 'tapes' | 'decals'>;
 export type Transfer = (mesh: Mesh) => Promise<Placed>;
 
 export interface OpenRequest {
@@ -95,7 +95,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
   const mesh = { engine, opened, places };
   const placed = await (request.transfer ? request.transfer(mesh) : placedOn(mesh, request.state));
   let { sources, walker } = placed;
-  const { sets, tapes } = placed;
+  const { sets, tapes, decals } = placed;
   const { sources: wanted } = request.state;
   const areNone = wanted.length === 0 && wanted !== UNCHOSEN;
   const isWithout = request.choosePlaces && !areNone && sources.length + sets.length === 0;
@@ -122,6 +122,7 @@ export async function prepare(engine: Engine, request: OpenRequest): Promise<{ s
       sets,
       walker: walker ?? null,
       tapes,
+      decals,
       ground,
       links: Math.min(request.state.links, answer.factoring.links),
       selected: -1,
@@ -146,7 +147,7 @@ function usable({ parts, hidden, girth, inside, ...units }: SceneState, opened: 
 }
 
 /** What of a state is on a mesh. */
-async function placedOn(mesh: Mesh, { sources, sets, walker, tapes }: SceneState): Promise<Placed> {
+async function placedOn(mesh: Mesh, { sources, sets, walker, tapes, decals }: SceneState): Promise<Placed> {
   const { places } = mesh;
   return {
     sources: sources.filter((source) => places.has(source)),
@@ -154,6 +155,7 @@ async function placedOn(mesh: Mesh, { sources, sets, walker, tapes }: SceneState
     sets: sets.length > 0 ? await (await import('./found')).found(mesh, sets) : [],
     walker: walker && !places.has(walker) ? undefined : walker,
     tapes: tapes.filter(({ points }) => points.every((point) => places.has(point))),
+    decals: decals.filter(({ place }) => places.has(place)),
   };
 }
 

@@ -8,6 +8,7 @@ import { Cancelled, WorkerLost } from '../solver/remote';
 import { isOutOfMemory } from '../solver/trap';
 import { ofModel, unitOf } from '../length';
 import type { ShownCells } from '../state/cells';
+import type { LaidImage } from '../state/decals';
 import { measure } from '../state/measures';
 import { Places } from '../state/places';
 import type { Scene } from '../state/history';
@@ -87,6 +88,9 @@ export class Session {
   readonly failure = new Signal<Error | null>(null);
   /** What is nearest to each source, where that is shown. */
   readonly cells = new Signal<ShownCells | null>(null);
+  /** Images as they lie on the surface, and which of the scene's is selected; −1 for none. */
+  readonly decals = new Signal<readonly LaidImage[]>([]);
+  readonly decal = new Signal(-1);
   /** The pose that the mesh on screen is shown in; null: that of its file. */
   readonly pose = new Signal<Moment | null>(null);
   readonly animator: Animator;

@@ -38,6 +38,10 @@ export function transfer({ opened }: Shown, state: SceneState, reach: number): T
       tapes: state.tapes
         .map((tape) => ({ ...tape, points: all(tape.points, take) }))
         .filter(({ points }, index) => points.length === state.tapes[index]?.points.length),
+      decals: state.decals.flatMap((decal) => {
+        const place = take(decal.place);
+        return place ? { ...decal, place } : [];
+      }),
     };
   };
 }

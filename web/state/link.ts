@@ -2,6 +2,7 @@
 import { PATH_KIND, UP, VERTEX_FIELD } from '../wasm/contract';
 import { addressIn, percentDecoded } from '../files/address';
 import { decodeCompared, encodeCompared } from './compared';
+import { DECALS } from './decals';
 import { COSTS, decodeGround, encodeGround, LEVEL } from './ground';
 import { GIRTH } from './girth';
 import { CUTS, FILLS, INSIDE_NUMBERS, INSIDE_RANGES } from './inside';
@@ -139,6 +140,7 @@ const EDITS = [
   whole('shown', 'shownUnit', or('same', null, oneOf(SHOWN_UNITS))),
   whole('tape', 'tapes', TAPES),
   whole('girth', 'girth', GIRTH),
+  whole('decal', 'decals', DECALS),
   whole('ground', 'ground', {
     encode: encodeGround,
     parse: (text, ground) => {
@@ -294,6 +296,7 @@ export function refusedBy(wanted: SceneState, opened: SceneState): string[] {
     hide: opened.hidden.length < wanted.hidden.length,
     w: Boolean(wanted.walker) && opened.walker !== wanted.walker,
     tape: opened.tapes.length < wanted.tapes.length,
+    decal: opened.decals.length < wanted.decals.length,
     shown: opened.shownUnit !== wanted.shownUnit,
     cut: opened.inside.cut !== wanted.inside.cut,
     girth: wanted.girth !== null && opened.girth === null,

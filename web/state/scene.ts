@@ -12,6 +12,7 @@ import {
 import { type Ground, LEVEL } from './ground';
 import { type CutPlane, type Inside, WHOLE } from './inside';
 import type { Compared } from './compared';
+import type { Decal } from './decals';
 import type { Units } from '../length';
 import type { Settings } from './settings';
 import { type SourceSet, UNCHOSEN } from './sources';
@@ -113,6 +114,8 @@ export interface SceneState extends Settings, Units {
   tapes: readonly Tape[];
   /** The plane in whose curves the girth is measured; null: it is not. */
   girth: CutPlane | null;
+  /** Images on the surface. */
+  decals: readonly Decal[];
   /** What it costs to walk where, and walls. */
   ground: Ground;
   /** How the inside of tetrahedra is looked into. */
@@ -153,6 +156,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     shownUnit: null,
     tapes: [],
     girth: null,
+    decals: [],
     ground: LEVEL,
     inside: WHOLE,
     isolines: null,

@@ -72,6 +72,7 @@ export const COMMON: ReadonlySet<Layer> = new Set(['background', 'spin']);
 export interface Patches {
   mesh: Omit<DrawMesh, 'order' | 'boxes'>;
   materials: Material[];
+  images: ImageBitmap[];
 }
 
 export interface Fields {

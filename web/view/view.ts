@@ -144,8 +144,8 @@ export class View extends Screen {
   /** Lays something on the surface, through which it is seen; null: nothing. */
   setPatches(patches: Patches | null): void {
     if (!patches && !this.#picture.layers.has('patches')) return;
-    const { mesh, materials } = patches ?? { mesh: {}, materials: [] };
-    this.#show('patches', (viewer) => viewer.set_patches({ ...NO_MESH, ...mesh }, materials, []));
+    const { mesh, materials, images } = patches ?? { mesh: {}, materials: [], images: [] };
+    this.#show('patches', (viewer) => viewer.set_patches({ ...NO_MESH, ...mesh }, materials, images));
   }
 
   /**

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
+use heatwalk_surface::triangle;
 
 use crate::error::{Error, Result};
 use crate::levels::{Levels, SAME_DISTANCE};
@@ -107,6 +108,12 @@ impl Field {
         self.mesh.edges.twin(halfedge)
     }
 
+    /// The longest edge of the triangles that have such a vertex.
+    pub fn longest_edge(&self, has: impl Fn(u32) -> bool) -> f64 {
+        let chosen = (0..self.mesh.triangles.len()).filter(|&index| self.mesh.triangles[index].into_iter().any(&has));
+        chosen.map(|index| longest(self.corners(index))).fold(0.0, f64::max)
+    }
+
     pub(crate) fn edges(&self) -> &Edges {
         &self.mesh.edges
     }
@@ -128,6 +135,11 @@ impl Field {
         let share = (0.5 * value - 0.5 * low) / (0.5 * high - 0.5 * low);
         ([below as u32, above as u32], share)
     }
+}
+
+/// The longest edge of a triangle.
+pub(crate) fn longest([a, b, c]: [DVec3; 3]) -> f64 {
+    [b - a, c - b, a - c].map(triangle::length).into_iter().fold(0.0, f64::max)
 }
 
 /// Which half-edges lie on the same edge.

@@ -3,10 +3,12 @@
 //! A [`Field`] is a surface with a value at each vertex, linear on each triangle; [`Field::refined`] divides triangles where the
 //! distance that it stands for is not. [`Levels`] are the values whose isolines are
 //! wanted; [`Isolines::trace`] finds the curves, [`Strips::cut`] the strips between them, [`Sheet::unroll`] their plane
-//! shapes. [`mod@write`] makes files of all of them. On the page this is a wasm module of its own, loaded when one is asked for.
+//! shapes; [`Borders`] are those of cells, and [`decal`] lays an image on a surface. [`mod@write`] makes files of curves. On the page this is a wasm module of its own, loaded when one is asked for.
 
 mod area;
 mod borders;
+mod decal;
+mod division;
 mod error;
 mod field;
 mod isolines;
@@ -20,6 +22,8 @@ mod web;
 pub mod write;
 
 pub use borders::{Borders, Tile};
+pub use decal::{Patch, decal};
+pub use division::Division;
 pub use error::{Error, MAX_DEFECT, MOST_LEVELS, NotDevelopable, Result};
 pub use field::Field;
 pub use isolines::{Curve, Isoline, Isolines, Kind};

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 use glam::DVec3;
 use heatwalk_surface::triangle;
 
-use crate::field::Field;
+use crate::field::{Field, longest};
 use crate::levels::Levels;
 
 /// By how much an isoline's length may be off, as a share of it: an estimate from distances that were asked for, and no bound.
@@ -297,11 +297,6 @@ pub(crate) fn split(corners: [u32; 3], middles: [Option<u32>; 3], positions: &[D
             halves.into_iter().for_each(give);
         }
     }
-}
-
-/// The longest edge of a triangle.
-fn longest([a, b, c]: [DVec3; 3]) -> f64 {
-    [b - a, c - b, a - c].map(triangle::length).into_iter().fold(0.0, f64::max)
 }
 
 /// By how much distance grows along a unit of a triangle, at most; 0 where it is not reached.

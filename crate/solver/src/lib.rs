@@ -92,7 +92,7 @@ pub use curve::{
     Curve, Line, SignedDistance, curve_distance, curve_search, signed_curve_distance, signed_curve_distance_at,
 };
 pub use dijkstra::{edge_path, edge_polyline};
-pub use directions::{LogMap, log_map, transport};
+pub use directions::{LogMap, LogMapSearch, log_map, transport};
 pub use distance::{Distance, PortalCrossing};
 pub use error::{Error, Result};
 pub use footprint::{footprint, require_room};

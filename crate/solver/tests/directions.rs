@@ -11,8 +11,8 @@ use glam::{DQuat, DVec2, DVec3, dvec2, dvec3};
 use heatwalk::exact::{ExactGeometry, PlaceDistances, Wavefront};
 use heatwalk::heat::VectorHeat;
 use heatwalk::{
-    Bridges, Costs, Element, Error, FaceId, HalfedgeId, LogMap, Place, Portal, Soup, Surface, ToPoint, VertexId, go_on,
-    log_map, transport,
+    Bridges, Costs, Element, Error, FaceId, HalfedgeId, LogMap, LogMapSearch, Place, Portal, Soup, Surface, ToPoint,
+    VertexId, go_on, log_map, transport,
 };
 use heatwalk_shapes as shapes;
 
@@ -258,6 +258,30 @@ fn each_vertex_has_the_vector_of_the_nearest_source() {
         let [to_a, to_b] = [a, b].map(|source| surface.position(source).distance(surface.position(vertex)));
         let expected = if to_a < to_b { DVec3::X } else { 2.0 * DVec3::Y };
         assert!((to_a - to_b).abs() < ROUNDING || carried[vertex].distance(expected) < ROUNDING, "{vertex:?}");
+    }
+}
+
+#[test]
+fn a_search_tells_what_it_has_come_to() {
+    let (surface, geometry) = laid_out(&shapes::torus(1.0, 0.4, 60, 30));
+    let source = Place::Face { face: FaceId(17), weights: [0.2, 0.3, 0.5] };
+    let whole = mapped(&geometry, source, Some(DVec3::Z));
+    let mut search = LogMapSearch::new(&geometry, source).unwrap();
+    for radius in [0.3, 0.9, f64::INFINITY] {
+        while !search.advance(radius, 200).unwrap() {}
+        let part = search.map(Some(DVec3::Z)).unwrap();
+        let mut count = 0;
+        for vertex in surface.vertices() {
+            if part.distances[vertex].is_finite() {
+                count += 1;
+                assert!(part.coordinates[vertex].distance(whole.coordinates[vertex]) < 1e-12);
+                assert_eq!(part.distances[vertex], whole.distances[vertex]);
+            } else {
+                assert!(whole.distances[vertex] > radius && part.coordinates[vertex].is_nan());
+            }
+        }
+        assert!(count > 0 && (count < surface.vertex_count()) == radius.is_finite());
+        assert_eq!(part.axes, whole.axes);
     }
 }
 

@@ -1,59 +1,52 @@
-/** Cells of sources, on a surface of their own in the module of curves; loaded with the first of them. */
+/** Cells of sources; loaded with the first of them. */
 import { ofModel } from '../../length';
-import type { CellSurface, CellWish, CurveFile, FoundCells, SpreadWish } from '../../protocol';
+import type { CellWish, CurveFile, FoundCells, SpreadWish } from '../../protocol';
 import type * as curves from '../../wasm/curves/heatwalk_curves';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
 import { nextWork, SLICE_MS, stopwatch } from './clock';
 import { loaded } from './curves';
+import { exactSurface } from './exact';
 import type { Bytes } from './files';
 import { FIRST_WORK, type ShownAs } from './mesh';
 
-interface Asked {
-  surface: curves.CellSurface;
-  number: number;
-  /** The one under way. */
-  question: number | null;
-}
-
-/** The surface asked last. */
-let last: Asked | undefined;
+/** The search under way, or that ended last; on which surface, and the question under way. */
+let last: { finder: curves.CellFinder; surface: curves.ExactSurface; question: number | null } | undefined;
 /** The cells found last. */
 let found: curves.Cells | undefined;
 let work = FIRST_WORK;
 
-/** The surface that a wish is for, kept for the next one. */
-async function surfaceOf(solver: wasm.Solver, { surface: number, bridge, links }: CellSurface): Promise<Asked> {
-  const { CellSurface: Surface } = await loaded();
-  if (last?.number === number) return last;
-  last?.surface.free();
+async function finderOn(surface: curves.ExactSurface): Promise<NonNullable<typeof last>> {
+  const { CellFinder } = await loaded();
+  if (last?.surface === surface) return last;
+  last?.finder.free();
   last = undefined;
-  last = { surface: new Surface(solver.positions(), solver.faces(), bridge, links), number, question: null };
+  last = { finder: new CellFinder(surface), surface, question: null };
   return last;
 }
 
 export async function cells(solver: wasm.Solver, wish: CellWish, { transform }: ShownAs): Promise<FoundCells | null> {
   const { question, places, initial, cells: of, count } = wish;
-  const asked = await surfaceOf(solver, wish);
-  const { surface } = asked;
+  const asked = await finderOn(await exactSurface(solver, wish));
+  const { finder } = asked;
   if (asked.question !== question) {
     asked.question = null;
-    surface.begin(places.triangles, places.weights, initial);
+    finder.begin(places.triangles, places.weights, initial);
     asked.question = question;
   }
   const clock = stopwatch();
-  const isFound = surface.advance(work);
+  const isFound = finder.advance(work);
   work = nextWork(work, clock(), SLICE_MS);
   if (!isFound) return null;
   asked.question = null;
   found?.free();
   found = undefined;
-  found = surface.take(of, count);
+  found = finder.take(of, count);
   const areas = Array.from(found.areas(), (area) => ofModel<2>(area));
   return { areas, ends: found.ends(transform), tiles: found.tiles(), corners: found.corners() };
 }
 
 export async function spread(solver: wasm.Solver, wish: SpreadWish): Promise<Float64Array> {
-  const { surface } = await surfaceOf(solver, wish);
+  const surface = await exactSurface(solver, wish);
   const { triangles, weights } = wish.places;
   return wish.count === null
     ? surface.relaxed(triangles, weights)

@@ -8,7 +8,8 @@ import { PAGE } from './page';
 import { PANEL } from './panel';
 import { READERS } from './readers';
 import { REPORTS as OF_MODULES } from './reports';
+import { SURFACE } from './surface';
 import { TETRAHEDRA } from './tetrahedra';
 
-export const FRENCH: Texts = { ...PANEL, ...PAGE, ...HELP, ...ARCHIVES, ...SHELL };
+export const FRENCH: Texts = { ...PANEL, ...PAGE, ...SURFACE, ...HELP, ...ARCHIVES, ...SHELL };
 export const REPORTS: Texts = { ...ARCHIVES, ...OF_MODULES, ...READERS, ...GLTF, ...TETRAHEDRA, ...OPTIONS };

@@ -96,33 +96,6 @@ export const PANEL: Texts = {
   'What the colors mean, a scale bar and the axes of the file':
     'Ce que disent les couleurs, une échelle et les axes du fichier',
   Contacts: 'Contacts',
-  Cells: 'Cellules',
-  '{0} cell': '{0} cellule',
-  '{0} cells': '{0} cellules',
-  'What is nearest to each source, in colors, by exact distances':
-    'Ce qui est le plus proche de chaque source, en couleurs, par distances exactes',
-  'Nearest source': 'Source la plus proche',
-  Percentage: 'Pourcentage',
-  Area: 'Aire',
-  Borders: 'Frontières',
-  'as seen, SVG': 'telles que vues, SVG',
-  'as seen, PDF': 'telles que vues, PDF',
-  Spread: 'Répartir',
-  'Number of sources': 'Nombre de sources',
-  'So many sources, each as far from those before as can be':
-    'Autant de sources, chacune aussi loin que possible des précédentes',
-  'Spread 2 to {0} sources.': 'Répartissez de 2 à {0} sources.',
-  Relax: 'Équilibrer',
-  'Moves the sources to the middles of their cells, step by step':
-    'Déplace les sources vers les milieux de leurs cellules, pas à pas',
-  'Save borders': 'Enregistrer les frontières',
-  'The borders, where another source becomes the nearest one':
-    'Les frontières, là où une autre source devient la plus proche',
-  'Cells are on surfaces alone.': 'Les cellules sont sur des surfaces seulement.',
-  'Cells are of two sources or more.': 'Les cellules sont celles de deux sources au moins.',
-  'Where costs differ no distance is exact, and cells are not known.':
-    'Là où les coûts diffèrent, aucune distance n’est exacte et les cellules ne sont pas connues.',
-  'A source is on no triangle.': 'Une source n’est sur aucun triangle.',
   'Operator edges': 'Arêtes de l’opérateur',
   Isolines: 'Isolignes',
   Arrows: 'Flèches',

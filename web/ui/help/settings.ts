@@ -29,6 +29,7 @@ export const SECTIONS: Record<string, string> = {
   girth: 'page#girth',
   charts: 'page#charts',
   display: 'page#materials',
+  decals: 'page#images-on-the-surface',
   numbers: 'page#refinement',
   export: 'page#curves-and-data',
   share: 'page#link',
@@ -62,6 +63,11 @@ export const SETTINGS: Record<string, Record<string, Words | Explanation>> = {
   },
   measure: {
     'Unit of the known length': t('The unit of lengths from then on.'),
+  },
+  decals: {
+    Image: t('An image of the page that is laid on the model: along the surface, as a sticker.'),
+    Size: t('Half of the longer side of the image, along the surface.'),
+    Angle: t('By how much the image is turned counterclockwise; at 0° it stands upright.'),
   },
   girth: {
     'Measure the girth': t('Shows the curves in which a plane cuts the surface, with their lengths.'),

@@ -79,6 +79,12 @@ export function workspacePanel(
           element: async () => (await import('./display')).displaySection(session, legend),
           open: true,
         },
+        {
+          id: 'decals',
+          title: t('Images on the surface'),
+          element: async () => (await import('./decals')).decalsSection(session),
+          open: false,
+        },
       ],
     },
     measure: {

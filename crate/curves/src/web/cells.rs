@@ -1,49 +1,22 @@
 //! Cells of sources.
 
-use std::sync::Arc;
-
-use glam::DVec3;
-use heatwalk::{
-    CellMap, CellSearch, DistanceSolver, FaceId, Place, SampleCount, Soup, Source, Surface, Walls, WeldRule,
-    farthest_samples, go_on, relaxed,
-};
-use heatwalk_base::parallel;
+use heatwalk::{CellMap, CellSearch, Place, SampleCount, Source, farthest_samples, go_on, relaxed};
 use heatwalk_bindings::{Failure, Result, transform};
 use wasm_bindgen::prelude::*;
 
 use super::distances::FileUnit;
 use super::files::{curve_file, picture};
+use super::surface::{ExactSurface, no_triangle};
 use crate::borders::Borders;
 use crate::field::Field;
 
-/// A surface on which cells are found, and the search under way.
+/// The search for cells on a surface.
 #[wasm_bindgen]
-pub struct CellSurface {
-    solver: DistanceSolver,
-    /// In their order.
-    kept: Vec<Kept>,
+pub struct CellFinder {
+    on: ExactSurface,
     sources: Vec<Source>,
     search: Option<CellSearch>,
     found: Option<CellMap>,
-}
-
-/// A triangle that is a face of the surface.
-struct Kept {
-    triangle: u32,
-    face: FaceId,
-    /// Of its corners, which corner of the face each is.
-    corners: [usize; 3],
-}
-
-impl Kept {
-    /// Weights of its corners as those of the face's.
-    fn weights(&self, weights: [f64; 3]) -> [f64; 3] {
-        let mut of_face = [0.0; 3];
-        for (corner, weight) in self.corners.into_iter().zip(weights) {
-            of_face[corner] = weight;
-        }
-        of_face
-    }
 }
 
 /// The cells of sources.
@@ -54,27 +27,12 @@ pub struct Cells {
 }
 
 #[wasm_bindgen]
-impl CellSurface {
-    /// `positions` are `#V × 3`, `triangles` `#F × 3`; vertices in one place are apart where their numbers differ. Components are joined
-    /// by a rule and so many links, as by the solver.
-    ///
-    /// # Errors
-    /// As building a surface has, and for another rule.
+impl CellFinder {
+    /// On a surface.
     #[wasm_bindgen(constructor)]
-    pub fn new(positions: &[f64], triangles: &[u32], rule: &str, links: u32) -> Result<Self> {
-        let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
-        let soup = Soup::single("surface", positions, triangles.as_chunks().0.to_vec());
-        let mut solver = DistanceSolver::new(Surface::build_by(&soup, WeldRule::Exact, parallel::ONE)?);
-        let whole = Arc::clone(solver.whole());
-        solver.join(&whole, rule.parse()?, links as usize)?;
-        solver.set_walls(&Walls { faces: Vec::new(), edges: whole.seams() })?;
-        let kept = whole.faces_in_input_order().map(|face| {
-            let triangle = whole.triangle_of_face(face).0;
-            let inputs = whole.inputs_of_face(face);
-            let corner = |vertex: u32| inputs.iter().position(|input| input.0 == vertex).unwrap_or_default();
-            Kept { triangle, face, corners: soup.triangles[triangle as usize].map(corner) }
-        });
-        Ok(Self { kept: kept.collect(), solver, sources: Vec::new(), search: None, found: None })
+    #[must_use]
+    pub fn new(on: &ExactSurface) -> Self {
+        Self { on: on.clone(), sources: Vec::new(), search: None, found: None }
     }
 
     /// Begins to search from sources: `#S` triangles, `#S × 3` weights of their corners, and `#S` initial distances.
@@ -83,10 +41,10 @@ impl CellSurface {
     /// For a triangle that there is none of, weights out of range, and negative distances.
     pub fn begin(&mut self, triangles: &[u32], weights: &[f64], initial: &[f64]) -> Result<()> {
         let source = |((&triangle, weights), &initial): ((&u32, &[f64]), &f64)| {
-            Ok(self.solver.surface().source(self.place(triangle, weights)?, initial)?)
+            Ok(self.on.surface().source(self.on.place(triangle, weights)?, initial)?)
         };
         self.sources = triangles.iter().zip(weights.chunks(3)).zip(initial).map(source).collect::<Result<_>>()?;
-        self.search = Some(CellSearch::new(self.solver.exact_geometry(), &self.sources)?);
+        self.search = Some(CellSearch::new(self.on.geometry(), &self.sources)?);
         Ok(())
     }
 
@@ -108,28 +66,25 @@ impl CellSurface {
     /// As [`Self::advance`].
     pub fn take(&mut self, cells: &[u32], count: u32) -> Result<Cells> {
         let found = self.found.take().ok_or_else(not_begun)?;
-        let surface = self.solver.surface();
+        let (surface, kept) = (self.on.surface(), self.on.kept());
         let cell_of = |source: Option<u32>| source.and_then(|source| cells.get(source as usize)).copied();
         let nearest: Vec<Option<u32>> = found.cells.nearest.iter().map(|&source| cell_of(source)).collect();
-        let vertices = |kept: &Kept| kept.corners.map(|corner| surface.faces()[kept.face][corner].0);
-        let positions = surface.positions().iter().copied().collect();
-        let distances = found.cells.distances.iter().copied().collect();
-        let field = Field::new(positions, self.kept.iter().map(vertices).collect(), distances)?;
+        let field = self.on.field(found.cells.distances.iter().copied().collect())?;
         let in_faces = self.sources.iter().flat_map(|source| source.place().faces(surface));
-        let starts: Vec<u32> = in_faces.filter_map(|face| self.number(surface.triangle_of_face(face).0)).collect();
+        let starts: Vec<u32> = in_faces.filter_map(|face| self.on.number(surface.triangle_of_face(face).0)).collect();
         let mut borders = Borders::trace(&field, (&nearest, count as usize), &starts, |triangle, weights| {
-            let kept = &self.kept[triangle as usize];
+            let kept = &kept[triangle as usize];
             found.at(kept.face, kept.weights(weights)).map(cell_of)
         })?;
         for tile in &mut borders.tiles {
-            tile.triangle = self.kept[tile.triangle as usize].triangle;
+            tile.triangle = kept[tile.triangle as usize].triangle;
         }
         Ok(Cells { field, borders })
     }
 }
 
 #[wasm_bindgen]
-impl CellSurface {
+impl ExactSurface {
     /// So many places, each the vertex that is farthest from those before, of which the first is near a place: four numbers each, a
     /// triangle and the weights of its corners.
     ///
@@ -139,8 +94,8 @@ impl CellSurface {
         let near = self.place(triangle, weights)?;
         let Place::Face { face, weights } = near else { return Err(no_triangle()) };
         let heaviest = (0..3).fold(0, |best, k| if weights[k] > weights[best] { k } else { best });
-        let first = self.solver.surface().faces()[face][heaviest];
-        let geometry = self.solver.exact_geometry();
+        let first = self.surface().faces()[face][heaviest];
+        let geometry = self.geometry();
         let samples = farthest_samples(geometry, first, SampleCount::Exactly(count as usize), &mut go_on)?;
         Ok(self.numbers(samples.vertices.into_iter().map(Place::Vertex)))
     }
@@ -148,43 +103,13 @@ impl CellSurface {
     /// Places moved once to the middles of their cells, as numbers like those of [`Self::spread`].
     ///
     /// # Errors
-    /// As [`Self::begin`].
+    /// As [`CellFinder::begin`].
     pub fn relaxed(&mut self, triangles: &[u32], weights: &[f64]) -> Result<Vec<f64>> {
         let places = triangles.iter().zip(weights.chunks(3)).map(|(&triangle, weights)| self.place(triangle, weights));
         let places = places.collect::<Result<Vec<Place>>>()?;
-        let moved = relaxed(self.solver.exact_geometry(), &places, 1, &mut go_on)?;
+        let moved = relaxed(self.geometry(), &places, 1, &mut go_on)?;
         Ok(self.numbers(moved.into_iter().map(|point| point.place())))
     }
-}
-
-impl CellSurface {
-    fn place(&self, triangle: u32, weights: &[f64]) -> Result<Place> {
-        let kept = &self.kept[self.number(triangle).ok_or_else(no_triangle)? as usize];
-        let weights = weights.try_into().map_err(|_| Failure::misuse("a triangle has three weights"))?;
-        Ok(Place::Face { face: kept.face, weights: kept.weights(weights) })
-    }
-
-    fn numbers(&self, places: impl Iterator<Item = Place>) -> Vec<f64> {
-        let surface = self.solver.surface();
-        let of_place = |place: Place| {
-            let face = place.faces(surface)[0];
-            let triangle = surface.triangle_of_face(face).0;
-            let weights = place.weights_in(surface, face);
-            let corners = self.number(triangle).map_or([0, 1, 2], |number| self.kept[number as usize].corners);
-            let [a, b, c] = corners.map(|corner| weights[corner]);
-            [f64::from(triangle), a, b, c]
-        };
-        places.flat_map(of_place).collect()
-    }
-
-    /// Which of those kept a triangle is.
-    fn number(&self, triangle: u32) -> Option<u32> {
-        self.kept.binary_search_by_key(&triangle, |kept| kept.triangle).ok().map(|number| number as u32)
-    }
-}
-
-fn no_triangle() -> Failure {
-    Failure::misuse("there is no such triangle")
 }
 
 fn not_begun() -> Failure {

@@ -1,6 +1,8 @@
 //! The interface to JavaScript.
 
 mod cells;
+mod decals;
 mod distances;
 mod files;
 mod isolines;
+mod surface;

@@ -1,6 +1,7 @@
 //! Isolines, strips and unrolled shapes against what is known of planes, spheres, cylinders and cones.
 
 mod borders;
+mod decals;
 mod isolines;
 mod refined;
 mod unrolled;

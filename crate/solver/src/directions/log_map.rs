@@ -7,9 +7,8 @@ use heatwalk_sparse::{Progress, c64};
 use heatwalk_surface::{ToPoint, VertexData};
 
 use super::plane::Plane;
-use super::searched;
 use crate::error::Result;
-use crate::exact::ExactGeometry;
+use crate::exact::{ExactGeometry, Wavefront};
 
 /// Where the normal is nearer to the x axis than 45°, directions are measured from the y axis unless another direction is given.
 const STEEP: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -43,25 +42,78 @@ pub fn log_map(
     direction: Option<DVec3>,
     progress: Progress<'_>,
 ) -> Result<LogMap> {
-    let surface = geometry.surface();
-    let place = source.to_point(surface)?;
-    let plane = Plane::at(geometry, place.place())?;
-    let direction = direction.unwrap_or(if plane.normal().x.abs() > STEEP { DVec3::Y } else { DVec3::X });
-    let u = plane.number("the direction", direction)?;
-    let u = u / u.norm();
-    let front = searched(geometry, &[place], progress)?;
-    let mut directions = vec![c64::new(f64::NAN, f64::NAN); surface.vertex_count() + front.end_values().len()];
-    front.for_each_leg(|stop, leg| {
-        directions[stop] = match front.start_of_leg(leg) {
-            None => c64::cis(plane.angle(&leg.departure)) * u.conj(),
-            Some(start) => directions[start],
+    let mut search = LogMapSearch::new(geometry, source)?;
+    // A direction that there is not is told before anything is searched.
+    let u = search.along(direction)?;
+    search.front.grow(f64::INFINITY, progress)?;
+    search.map_along(u)
+}
+
+/// The log map from a point of the surface, found as far as it is asked for: the search goes on from where it was.
+#[derive(Debug)]
+pub struct LogMapSearch {
+    front: Wavefront,
+    plane: Plane,
+}
+
+impl LogMapSearch {
+    /// Starts at a point of the surface.
+    ///
+    /// # Errors
+    /// As [`log_map`].
+    pub fn new(geometry: &Arc<ExactGeometry>, source: impl ToPoint) -> Result<Self> {
+        let place = source.to_point(geometry.surface())?;
+        let plane = Plane::at(geometry, place.place())?;
+        Ok(Self { front: Wavefront::new(Arc::clone(geometry), &[place])?, plane })
+    }
+
+    /// Goes on to a distance, or until about `work` more windows have crossed a face. Whether it has come as far.
+    ///
+    /// # Errors
+    /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
+    pub fn advance(&mut self, radius: f64, work: usize) -> Result<bool> {
+        self.front.advance(radius, work)
+    }
+
+    /// `#V`, distances, which are final where they are no larger than the distance that it has come to.
+    pub fn distances(&self) -> &VertexData<f64> {
+        self.front.values()
+    }
+
+    /// The log map of what it has come to; beyond that coordinates are not numbers and distances infinite.
+    ///
+    /// # Errors
+    /// As [`log_map`].
+    pub fn map(&self, direction: Option<DVec3>) -> Result<LogMap> {
+        self.map_along(self.along(direction)?)
+    }
+
+    /// A direction as a unit number of the plane.
+    fn along(&self, direction: Option<DVec3>) -> Result<c64> {
+        let steep = self.plane.normal().x.abs() > STEEP;
+        let direction = direction.unwrap_or(if steep { DVec3::Y } else { DVec3::X });
+        let u = self.plane.number("the direction", direction)?;
+        Ok(u / u.norm())
+    }
+
+    fn map_along(&self, u: c64) -> Result<LogMap> {
+        let Self { front, plane } = self;
+        let nowhere = c64::new(f64::NAN, f64::NAN);
+        let mut directions = vec![nowhere; front.surface().vertex_count() + front.end_values().len()];
+        front.for_each_leg(|stop, leg| {
+            directions[stop] = match front.start_of_leg(leg) {
+                None => c64::cis(plane.angle(&leg.departure)) * u.conj(),
+                Some(start) => directions[start],
+            };
+        })?;
+        let radius = front.radius();
+        let known = |&distance: &f64| if distance <= radius { distance } else { f64::INFINITY };
+        let distances: VertexData<f64> = front.values().iter().map(known).collect();
+        let at = |(direction, &distance): (&c64, &f64)| match distance.is_finite() {
+            true => distance * DVec2::new(direction.re, direction.im),
+            false => DVec2::NAN,
         };
-    })?;
-    let distances = front.into_values();
-    let coordinates = directions
-        .iter()
-        .zip(&distances)
-        .map(|(direction, &distance)| distance * DVec2::new(direction.re, direction.im));
-    let coordinates = coordinates.collect();
-    Ok(LogMap { coordinates, distances, axes: [plane.vector(u), plane.vector(u * c64::new(0.0, 1.0))] })
+        let coordinates = directions.iter().zip(&distances).map(at).collect();
+        Ok(LogMap { coordinates, distances, axes: [plane.vector(u), plane.vector(u * c64::new(0.0, 1.0))] })
+    }
 }

@@ -10,7 +10,7 @@ mod transport;
 
 use std::sync::Arc;
 
-pub use log_map::{LogMap, log_map};
+pub use log_map::{LogMap, LogMapSearch, log_map};
 pub(crate) use plane::Plane;
 pub use transport::transport;
 

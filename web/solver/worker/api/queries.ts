@@ -2,6 +2,7 @@
 import type {
   CellWish,
   CurveFile,
+  DecalWish,
   DistanceFile,
   DrawPath,
   EdgeKind,
@@ -11,6 +12,7 @@ import type {
   InnerDistanceFile,
   Isolines,
   IsolineWish,
+  LaidDecal,
   Leg,
   MeshPoint,
   SavedCurves,
@@ -187,6 +189,11 @@ export async function spread(wish: SpreadWish): Promise<Float64Array> {
 /** A file of the borders of the cells that were found last. */
 export async function cellFile(file: CurveFile): Promise<Bytes> {
   return (await import('../cells')).cellFile(file, openMesh().shownAs);
+}
+
+/** One step of laying an image on the surface; null: it is not laid yet, and the next call goes on. */
+export async function decal(wish: DecalWish): Promise<LaidDecal | null> {
+  return (await import('../decals')).decal(openSurface(), wish, openMesh().shownAs);
 }
 
 /** A file of the last field, with lengths in a unit; of a mesh that is as in its file, with all that this holds. */

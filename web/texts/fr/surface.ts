@@ -1,0 +1,73 @@
+/** What lies on the surface: cells and images. */
+import type { Texts } from '../translate';
+
+export const SURFACE: Texts = {
+  Cells: 'Cellules',
+  '{0} cell': '{0} cellule',
+  '{0} cells': '{0} cellules',
+  'What is nearest to each source, in colors, by exact distances':
+    'Ce qui est le plus proche de chaque source, en couleurs, par distances exactes',
+  'Nearest source': 'Source la plus proche',
+  Percentage: 'Pourcentage',
+  Area: 'Aire',
+  Borders: 'Frontières',
+  'as seen, SVG': 'telles que vues, SVG',
+  'as seen, PDF': 'telles que vues, PDF',
+  Spread: 'Répartir',
+  'Number of sources': 'Nombre de sources',
+  'So many sources, each as far from those before as can be':
+    'Autant de sources, chacune aussi loin que possible des précédentes',
+  'Spread 2 to {0} sources.': 'Répartissez de 2 à {0} sources.',
+  Relax: 'Équilibrer',
+  'Moves the sources to the middles of their cells, step by step':
+    'Déplace les sources vers les milieux de leurs cellules, pas à pas',
+  'Save borders': 'Enregistrer les frontières',
+  'The borders, where another source becomes the nearest one':
+    'Les frontières, là où une autre source devient la plus proche',
+  'Cells are on surfaces alone.': 'Les cellules sont sur des surfaces seulement.',
+  'Cells are of two sources or more.': 'Les cellules sont celles de deux sources au moins.',
+  'Where costs differ no distance is exact, and cells are not known.':
+    'Là où les coûts diffèrent, aucune distance n’est exacte et les cellules ne sont pas connues.',
+  'A source is on no triangle.': 'Une source n’est sur aucun triangle.',
+  'Images on the surface': 'Images sur la surface',
+  Compass: 'Boussole',
+  'Polar rings': 'Anneaux polaires',
+  Grid: 'Grille',
+  Star: 'Étoile',
+  Image: 'Image',
+  'Image file': 'Fichier d’image',
+  'Image file…': 'Fichier d’image…',
+  'Lay on': 'Poser',
+  'Lays the image on the model, in the middle of what is seen':
+    'Pose l’image sur le modèle, au milieu de ce qui est vu',
+  'An image of your own; one can be dropped on the model, too':
+    'Une image à vous ; on peut aussi en déposer une sur le modèle',
+  'The images with the parts of the surface that they cover, with texture coordinates':
+    'Les images avec les parties de la surface qu’elles couvrent, avec coordonnées de texture',
+  'Save images as GLB': 'Enregistrer les images en GLB',
+  'Images are on surfaces alone.': 'Les images sont sur des surfaces seulement.',
+  'There can be up to {0} images.': 'Il peut y avoir jusqu’à {0} images.',
+  'Select; its handles move, turn and scale it':
+    'Sélectionner ; ses poignées la déplacent, la tournent et l’agrandissent',
+  'Delete this image': 'Supprimer cette image',
+  'Delete image {0}': 'Supprimer l’image {0}',
+  Angle: 'Angle',
+  'Handles of the image': 'Poignées de l’image',
+  'Middle of the image; arrows move it, Delete removes it':
+    'Milieu de l’image ; les flèches la déplacent, Suppr la retire',
+  'Right side of the image; arrows turn and scale it':
+    'Côté droit de l’image ; les flèches la tournent et l’agrandissent',
+  'The browser cannot read this image. Save it as PNG or JPEG.':
+    'Le navigateur ne peut pas lire cette image. Enregistrez-la en PNG ou JPEG.',
+  'This browser cannot draw images beside the page. Try another browser.':
+    'Ce navigateur ne peut pas dessiner d’images à côté de la page. Essayez un autre navigateur.',
+  'An image can have up to {0} MiB.': 'Une image peut avoir jusqu’à {0} Mio.',
+  'The image of this scene is not in this browser. Choose it again.':
+    'L’image de cette scène n’est pas dans ce navigateur. Choisissez-la de nouveau.',
+  'An image of the page that is laid on the model: along the surface, as a sticker.':
+    'Une image de la page posée sur le modèle : le long de la surface, comme un autocollant.',
+  'Half of the longer side of the image, along the surface.':
+    'La moitié du plus long côté de l’image, le long de la surface.',
+  'By how much the image is turned counterclockwise; at 0° it stands upright.':
+    'De combien l’image est tournée en sens antihoraire ; à 0° elle est droite.',
+};
