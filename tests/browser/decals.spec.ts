@@ -1,6 +1,8 @@
 import { readFile } from 'node:fs/promises';
-import type { Page } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
 import { PNG } from 'pngjs';
+import { entry } from '../../web/state/entry';
+import { areaOfTriangle, type Vector, vectorAt } from '../../web/state/vector';
 import { grid, type Mesh, off } from '../fixtures';
 import { expect, openSection, test } from '../page';
 import { cubeMsh } from '../tetrahedra';
@@ -40,7 +42,7 @@ interface Part {
 }
 
 interface Glb {
-  meshes: { primitives: { attributes: Record<string, number>; indices: number; material: number }[] }[];
+  meshes: { primitives: { attributes: { POSITION: number; TEXCOORD_0: number }; indices: number }[] }[];
   accessors: { bufferView: number; count: number; type: string }[];
   bufferViews: { byteOffset: number; byteLength: number }[];
   images: { mimeType: string; bufferView: number }[];
@@ -54,30 +56,34 @@ async function saved(page: Page): Promise<{ parts: Part[]; images: PNG[] }> {
   const length = bytes.readUInt32LE(12);
   const root = JSON.parse(bytes.subarray(20, 20 + length).toString()) as Glb;
   const view = (index: number) => {
-    const { byteOffset, byteLength } = root.bufferViews[index]!;
+    const { byteOffset, byteLength } = entry(root.bufferViews, index);
     return bytes.subarray(28 + length + byteOffset, 28 + length + byteOffset + byteLength);
   };
   const rows = (index: number, width: number) => {
-    const { bufferView, count } = root.accessors[index]!;
+    const { bufferView, count } = entry(root.accessors, index);
     const data = view(bufferView);
     return Array.from({ length: count }, (_, row) =>
       Array.from({ length: width }, (_, k) => data.readFloatLE(4 * (width * row + k))),
     );
   };
-  const parts = root.meshes.map(({ primitives: [primitive] }): Part => {
-    const { attributes, indices } = primitive!;
-    const positions = rows(attributes.POSITION!, 3);
-    const data = view(root.accessors[indices]!.bufferView);
-    let area = 0;
-    for (let corner = 0; corner < data.length / 12; corner++) {
-      const [a, b, c] = [0, 1, 2].map((k) => positions[data.readUInt32LE(4 * (3 * corner + k))]!);
-      const [p, q] = [b!.map((x, k) => x - a![k]!), c!.map((x, k) => x - a![k]!)];
-      area +=
-        0.5 * Math.hypot(p[1]! * q[2]! - p[2]! * q[1]!, p[2]! * q[0]! - p[0]! * q[2]!, p[0]! * q[1]! - p[1]! * q[0]!);
-    }
-    return { positions, places: rows(attributes.TEXCOORD_0!, 2), area };
+  const parts = root.meshes.map(({ primitives }): Part => {
+    const { attributes, indices } = entry(primitives, 0);
+    const positions = rows(attributes.POSITION, 3);
+    const data = view(entry(root.accessors, indices).bufferView);
+    const corners = Array.from({ length: data.length / 4 }, (_, k) => data.readUInt32LE(4 * k));
+    const places = positions as Vector[];
+    const faces = Array.from({ length: corners.length / 3 }, (_, face) => vectorAt(corners, face));
+    const areas = faces.map(([a, b, c]) => areaOfTriangle([entry(places, a), entry(places, b), entry(places, c)]));
+    const area = areas.reduce((sum, one) => sum + one, 0);
+    return { positions, places: rows(attributes.TEXCOORD_0, 2), area };
   });
   return { parts, images: root.images.map(({ bufferView }) => PNG.sync.read(view(bufferView))) };
+}
+
+async function middleOf(handle: Locator): Promise<[number, number]> {
+  const box = await handle.boundingBox();
+  if (!box) throw new Error('The handle is not seen.');
+  return [box.x + box.width / 2, box.y + box.height / 2];
 }
 
 test('on a plane an image lies as it is, in the link and in its file', async ({ heatwalk, page }) => {
@@ -94,8 +100,8 @@ test('on a plane an image lies as it is, in the link and in its file', async ({ 
     const [dx, dy] = [x - 0.5, y - 0.5];
     const along = dx * Math.cos(turned) + dy * Math.sin(turned);
     const upward = dy * Math.cos(turned) - dx * Math.sin(turned);
-    expect(places[index]![0]).toBeCloseTo((1 + along / size) / 2, 4);
-    expect(places[index]![1]).toBeCloseTo((1 - upward / size) / 2, 4);
+    expect(places[index]?.[0]).toBeCloseTo((1 + along / size) / 2, 4);
+    expect(places[index]?.[1]).toBeCloseTo((1 - upward / size) / 2, 4);
   });
 });
 
@@ -105,14 +111,13 @@ test('an image is laid on, moved, turned, scaled and removed by handles and keys
   await page.getByRole('combobox', { name: 'Image' }).selectOption('star');
   await page.getByRole('button', { name: 'Lay on' }).click();
   await heatwalk.settled();
-  const decal = async () => (await heatwalk.scene()).decals[0]!;
+  const decal = async () => entry((await heatwalk.scene()).decals, 0);
   const before = await decal();
   expect(before.image).toBe('star');
   const middle = page.getByRole('button', { name: 'Middle of the image' });
   const side = page.getByRole('button', { name: 'Right side of the image' });
   const drag = async (handle: typeof middle, dx: number, dy: number) => {
-    const box = (await handle.boundingBox())!;
-    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    const [x, y] = await middleOf(handle);
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x + dx / 2, y + dy / 2);
@@ -121,8 +126,8 @@ test('an image is laid on, moved, turned, scaled and removed by handles and keys
     await heatwalk.settled();
   };
   const apart = async () => {
-    const [m, s] = [(await middle.boundingBox())!, (await side.boundingBox())!];
-    return [s.x - m.x, s.y - m.y] as const;
+    const [[x, y], [u, v]] = [await middleOf(middle), await middleOf(side)];
+    return [u - x, v - y] as const;
   };
   const [reach] = await apart();
   await drag(middle, 60, -30);
@@ -179,11 +184,11 @@ test('an image of the user is dropped where it is to lie, with its shape, and is
   await heatwalk.drop([['mark.png', PNG.sync.write(image)]]);
   await expect.poll(async () => (await heatwalk.scene()).decals.length).toBe(1);
   await heatwalk.settled();
-  const { image: name, size } = (await heatwalk.scene()).decals[0]!;
+  const { image: name, size } = entry((await heatwalk.scene()).decals, 0);
   expect(name).toMatch(/^file-[0-9a-f]{16}$/);
   const { parts, images } = await saved(page);
-  expect(parts[0]!.area).toBeCloseTo(2 * size * size, 5);
-  expect([images[0]!.width, images[0]!.height]).toEqual([6, 3]);
+  expect(parts[0]?.area).toBeCloseTo(2 * size * size, 5);
+  expect([images[0]?.width, images[0]?.height]).toEqual([6, 3]);
   await expect.poll(() => page.evaluate(() => location.hash)).toContain(name);
   await page.reload();
   await heatwalk.settled();

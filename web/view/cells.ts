@@ -4,7 +4,7 @@ import { linearColourOfCell } from '../state/cells';
 import { entry } from '../state/entry';
 import { vectorAt } from '../state/vector';
 import type { Patches } from './layers';
-import { FILM, lifted, PatchMesh } from './patches';
+import { cornerAt, FILM, PatchMesh } from './patches';
 
 /** How much of the color beneath is covered, and how far above the surface that lies, as a share of the diameter. */
 const OPACITY = 0.78;
@@ -18,26 +18,24 @@ export function colouredCells(
   diameter: number,
   isOpen: boolean,
 ): Patches {
-  const film = new PatchMesh();
-  const colours = areas.map((_, cell) => [...linearColourOfCell(cell), OPACITY]);
   const lifts = isOpen ? [LIFT * diameter, -LIFT * diameter] : [LIFT * diameter];
+  const film = new PatchMesh(pose, (lifts.length * corners.length) / 3);
+  const colours = areas.map((_, cell) => [...linearColourOfCell(cell), OPACITY]);
   for (const lift of lifts) {
     const drawn = new Map<number, number>();
     for (let tile = 0; 2 * tile < tiles.length; tile++) {
       const [cell, triangle] = [entry(tiles, 2 * tile), entry(tiles, 2 * tile + 1)];
       const vertices = vectorAt(triangles, triangle);
-      for (let k = 0; k < 3; k++) {
-        const weights = vectorAt(corners, 3 * tile + k);
-        const made = () => film.vertex(lifted(pose, vertices, weights, lift), entry(colours, cell), [0, 0]);
-        const at = weights.indexOf(1);
-        if (at < 0) {
-          film.corner(made());
-          continue;
-        }
+      for (let first = 9 * tile; first < 9 * tile + 9; first += 3) {
+        const at = cornerAt(corners, first);
         // Walls can part the cells of a drawn vertex.
-        const key = entry(vertices, at) * areas.length + cell;
+        const key = at < 0 ? -1 : entry(vertices, at) * areas.length + cell;
         let vertex = drawn.get(key);
-        if (vertex === undefined) drawn.set(key, (vertex = made()));
+        if (vertex === undefined) {
+          vertex = film.vertex(vertices, corners, first, lift);
+          film.colour(entry(colours, cell));
+          if (at >= 0) drawn.set(key, vertex);
+        }
         film.corner(vertex);
       }
     }

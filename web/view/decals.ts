@@ -3,13 +3,12 @@ import type { DrawMesh, DrawPose, LaidDecal, Material } from '../protocol';
 import { entry } from '../state/entry';
 import { vectorAt } from '../state/vector';
 import type { Patches } from './layers';
-import { FILM, lifted, PatchMesh } from './patches';
+import { cornerAt, FILM, PatchMesh } from './patches';
 
 /** How far the first one lies above the surface, and how much farther each next one, as shares of the diameter. */
 const LIFT = 8e-4;
 const NEXT = 2e-4;
 
-const WHITE = [1, 1, 1, 1] as const;
 const IMAGE: Material = {
   ...FILM,
   textures: [
@@ -31,17 +30,24 @@ export function laidImage(
   diameter: number,
   isOpen: boolean,
 ): Patches {
-  const film = new PatchMesh();
   const lift = (LIFT + above * NEXT) * diameter;
-  for (const by of isOpen ? [lift, -lift] : [lift]) {
-    parts.forEach((triangle, part) => {
-      const vertices = vectorAt(triangles, triangle);
-      for (let k = 0; k < 3; k++) {
-        const corner = 3 * part + k;
-        const place = [entry(places, 2 * corner), entry(places, 2 * corner + 1)] as const;
-        film.corner(film.vertex(lifted(pose, vertices, vectorAt(corners, corner), by), WHITE, place));
+  const lifts = isOpen ? [lift, -lift] : [lift];
+  const film = new PatchMesh(pose, 3 * lifts.length * parts.length);
+  for (const by of lifts) {
+    const drawn = new Map<number, number>();
+    for (let part = 0; part < parts.length; part++) {
+      const vertices = vectorAt(triangles, entry(parts, part));
+      for (let corner = 3 * part; corner < 3 * part + 3; corner++) {
+        const at = cornerAt(corners, 3 * corner);
+        let vertex = at < 0 ? undefined : drawn.get(entry(vertices, at));
+        if (vertex === undefined) {
+          vertex = film.vertex(vertices, corners, 3 * corner, by);
+          film.texture(entry(places, 2 * corner), entry(places, 2 * corner + 1));
+          if (at >= 0) drawn.set(entry(vertices, at), vertex);
+        }
+        film.corner(vertex);
       }
-    });
+    }
   }
   return film.in(IMAGE, [image]);
 }

@@ -1,7 +1,6 @@
 /** Triangles that lie on the surface, a little above it, in materials of their own. */
 import type { DrawPose, Material } from '../protocol';
 import { entry } from '../state/entry';
-import { moved, normalized, type Vector, vectorAt } from '../state/vector';
 import type { Patches } from './layers';
 import type { View } from './view';
 
@@ -75,50 +74,82 @@ function joined<T extends Float32Array | Uint32Array | Uint16Array>(
   return both;
 }
 
-/** A place of a drawn triangle so far above the surface, with the normal there. */
-export function lifted(
-  { positions, normals }: DrawPose,
-  vertices: Vector,
-  weights: Vector,
-  lift: number,
-): [position: Vector, normal: Vector] {
-  const sum = (values: Float32Array) =>
-    vertices.reduce((all: Vector, vertex, k) => moved(all, vectorAt(values, vertex), entry(weights, k)), [0, 0, 0]);
-  const normal = normalized(sum(normals));
-  return [moved(sum(positions), normal, lift), normal];
-}
-
-/** A mesh that grows by vertices and corners of triangles. */
+/** A mesh that grows by vertices and corners of triangles, up to so many of these. */
 export class PatchMesh {
-  readonly #positions: number[] = [];
-  readonly #normals: number[] = [];
-  readonly #texcoords: number[] = [];
-  readonly #colours: number[] = [];
-  readonly #corners: number[] = [];
+  readonly #pose: DrawPose;
+  readonly #positions: Float32Array;
+  readonly #normals: Float32Array;
+  readonly #texcoords: Float32Array;
+  readonly #colours: Uint16Array;
+  readonly #corners: Uint32Array;
+  #vertices = 0;
+  #count = 0;
 
-  /** `colour`: linear RGBA, 0 to 1. Its number. */
-  vertex([position, normal]: [Vector, Vector], colour: readonly number[], texture: readonly [number, number]): number {
-    this.#positions.push(...position);
-    this.#normals.push(...normal);
-    this.#texcoords.push(...texture, 0, 0);
-    this.#colours.push(...colour.map((value) => Math.round(65_535 * value)));
-    return this.#positions.length / 3 - 1;
+  constructor(pose: DrawPose, most: number) {
+    this.#pose = pose;
+    this.#positions = new Float32Array(3 * most);
+    this.#normals = new Float32Array(3 * most);
+    this.#texcoords = new Float32Array(4 * most);
+    this.#colours = new Uint16Array(4 * most).fill(65_535);
+    this.#corners = new Uint32Array(most);
+  }
+
+  /**
+   * A vertex so far above a place of the surface: corners of a drawn triangle, and from `first` on their weights. Its number. It is white
+   * and opaque unless `colour` follows.
+   */
+  vertex(corners: ArrayLike<number>, weights: ArrayLike<number>, first: number, lift: number): number {
+    const { positions, normals } = this.#pose;
+    const at = 3 * this.#vertices;
+    const blend = (values: Float32Array, axis: number) => {
+      let sum = 0;
+      for (let k = 0; k < 3; k++) sum += entry(weights, first + k) * entry(values, 3 * entry(corners, k) + axis);
+      return sum;
+    };
+    const [x, y, z] = [blend(normals, 0), blend(normals, 1), blend(normals, 2)];
+    const length = Math.hypot(x, y, z) || 1;
+    this.#normals[at] = x / length;
+    this.#normals[at + 1] = y / length;
+    this.#normals[at + 2] = z / length;
+    for (let axis = 0; axis < 3; axis++) {
+      this.#positions[at + axis] = blend(positions, axis) + lift * entry(this.#normals, at + axis);
+    }
+    return this.#vertices++;
+  }
+
+  /** Of the last vertex, linear RGBA from 0 to 1. */
+  colour(colour: readonly number[]): void {
+    const first = 4 * (this.#vertices - 1);
+    colour.forEach((value, k) => (this.#colours[first + k] = Math.round(65_535 * value)));
+  }
+
+  /** Where the last vertex is in the image. */
+  texture(u: number, v: number): void {
+    const first = 4 * (this.#vertices - 1);
+    this.#texcoords[first] = u;
+    this.#texcoords[first + 1] = v;
   }
 
   corner(vertex: number): void {
-    this.#corners.push(vertex);
+    this.#corners[this.#count++] = vertex;
   }
 
   /** All of it in one material. */
   in(material: Material, images: ImageBitmap[]): Patches {
     const mesh = {
-      positions: Float32Array.from(this.#positions),
-      normals: Float32Array.from(this.#normals),
-      triangles: Uint32Array.from(this.#corners),
-      texcoords: Float32Array.from(this.#texcoords),
-      colors: Uint16Array.from(this.#colours),
-      runs: Uint32Array.of(0, this.#corners.length / 3, 0),
+      positions: this.#positions.subarray(0, 3 * this.#vertices),
+      normals: this.#normals.subarray(0, 3 * this.#vertices),
+      triangles: this.#corners.subarray(0, this.#count),
+      texcoords: this.#texcoords.subarray(0, 4 * this.#vertices),
+      colors: this.#colours.subarray(0, 4 * this.#vertices),
+      runs: Uint32Array.of(0, this.#count / 3, 0),
     };
     return { mesh, materials: [material], images };
   }
+}
+
+/** The corner of a triangle that weights, from `first` on, are of alone; −1 where they are of several. */
+export function cornerAt(weights: ArrayLike<number>, first: number): number {
+  for (let k = 0; k < 3; k++) if (weights[first + k] === 1) return k;
+  return -1;
 }
