@@ -355,6 +355,29 @@ export interface FoundCells {
   corners: Float32Array;
 }
 
+/** Which curves distance is wanted from. */
+export interface CurveWish extends ExactSurface {
+  /** How many places each has, and whether it is closed: 1, or 0. */
+  counts: Uint32Array;
+  closed: Uint8Array;
+  places: TrianglePlaces;
+  /** What isolines are apart, as a share of the largest distance. */
+  period: number;
+}
+
+/** Distance from curves: negative inside, which is the smaller side. */
+export interface CurveDistances {
+  /** #F × 3: of the corners of drawn triangles; Infinity where no curve is reached. */
+  values: Float32Array;
+  /** The smallest and the largest. */
+  range: readonly [ModelLength, ModelLength];
+  /** #segments × 2 × 3: ends of the segments of isolines on both sides, as they are drawn. */
+  ends: Float32Array;
+  /** As of cells: 0 inside, 1 outside. */
+  tiles: Uint32Array;
+  corners: Float32Array;
+}
+
 /** Which image is wanted on the surface, and where. */
 export interface DecalWish extends ExactSurface {
   /** Of its middle, a drawn triangle and weights of its corners. */

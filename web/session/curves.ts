@@ -30,13 +30,18 @@ function drawn(sets: readonly SourceSet[], colour: string, places: Places): Edge
 function segments(set: SourceSet, places: Places): number[] {
   const corners = set.points.map((point) => places.at(point)?.position);
   if (isClosed(set)) corners.push(corners[0]);
-  const longest = set.shape.kind === 'stroke' ? GAP * places.drawnDiameter : Infinity;
+  const longest = longestStep(set, places);
   const ends: number[] = [];
   corners.forEach((end, i) => {
     const start = corners[i - 1];
     if (start && end && distance(start, end) < longest) ends.push(...start, ...end);
   });
   return ends;
+}
+
+/** As it is drawn, from one place to the next; those farther apart are not joined. */
+export function longestStep({ shape }: SourceSet, places: Places): number {
+  return shape.kind === 'stroke' ? GAP * places.drawnDiameter : Infinity;
 }
 
 function marks({ points }: SourceSet, places: Places): number[] {

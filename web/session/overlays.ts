@@ -13,6 +13,7 @@ import {
 import { type Edges, rimmed } from '../view/layers';
 import type { Cells } from './cells';
 import type { Decals } from './decals';
+import type { Offsets } from './offsets';
 import { drawnIsolines } from './isolines';
 import type { Session } from './session';
 
@@ -36,8 +37,9 @@ export class Overlays {
   #needsEdges = true;
   #latest: Promise<void> = Promise.resolve();
   /** Once they were wanted. */
-  #cells: Cells | undefined;
-  #decals: Decals | undefined;
+  #cells: Promise<Cells> | undefined;
+  #decals: Promise<Decals> | undefined;
+  #offsets: Promise<Offsets> | undefined;
 
   constructor(session: Session) {
     this.#session = session;
@@ -56,7 +58,7 @@ export class Overlays {
     const session = this.#session;
     session.scene.subscribe((state, previous) => {
       const isElsewhere = state.style.period !== previous.style.period || state.isolines !== previous.isolines;
-      const isSpaced = state.overlays.includes('isolines') && isElsewhere;
+      const isSpaced = (state.overlays.includes('isolines') || state.overlays.includes('curves')) && isElsewhere;
       const isOther = state.overlays !== previous.overlays || state.colorBy !== previous.colorBy;
       if (isSpaced || isOther) this.#latest = this.#update(true);
       if (state.decals !== previous.decals)
@@ -65,7 +67,7 @@ export class Overlays {
     session.pose.watch(() => {
       const { overlays } = session.scene.state;
       if (overlays.some((overlay) => overlay !== 'scenery')) this.#latest = this.#update(true);
-      else void this.#decals?.follow();
+      else void this.#lay();
     });
     session.shown.watch((shown, previous) => {
       const anew =
@@ -96,9 +98,11 @@ export class Overlays {
         const ends = await engine.queries.isolineEnds(isolines);
         edges?.push(...rimmed({ ...ISOLINES, ends }, RIMS));
       }
-      if (overlays.includes('cells')) this.#cells ??= new (await import('./cells')).Cells(session);
-      const cells = this.#cells?.follow();
-      const decals = this.#lay();
+      if (overlays.includes('cells')) this.#cells ??= import('./cells').then(({ Cells }) => new Cells(session));
+      if (overlays.includes('curves'))
+        this.#offsets ??= import('./offsets').then(({ Offsets }) => new Offsets(session));
+      const beside = [this.#cells, this.#offsets].map((one) => one?.then((shown) => shown.follow()));
+      beside.push(this.#lay());
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await this.#arrowsOf(engine, kind, field) : new Float32Array();
       const other = colorBy === 'distance' || !field ? null : await instead(engine, colorBy, field);
@@ -109,8 +113,7 @@ export class Overlays {
       }
       view.setArrows(arrows);
       session.paint(other);
-      await cells;
-      await decals;
+      await Promise.all(beside);
     } catch (error) {
       // The answer by another method asks again.
       if (wish === this.#wish && method === session.scene.state.method) session.fail(error);
@@ -120,8 +123,9 @@ export class Overlays {
   /** Lays the images of the scene on the surface. */
   async #lay(): Promise<void> {
     const session = this.#session;
-    if (session.scene.state.decals.length > 0) this.#decals ??= new (await import('./decals')).Decals(session);
-    await this.#decals?.follow();
+    if (session.scene.state.decals.length > 0)
+      this.#decals ??= import('./decals').then(({ Decals }) => new Decals(session));
+    await (await this.#decals)?.follow();
   }
 
   async #arrowsOf(

@@ -1,6 +1,6 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
 import { Failure, isUnsolved, toError } from '../error';
-import type { Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
+import type { CurveDistances, Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
 import { type Answer, type Engine, isFieldOf, isSameMoment, type Question } from '../solver/engine';
 import { Refiner } from '../solver/refiner';
@@ -88,6 +88,8 @@ export class Session {
   readonly failure = new Signal<Error | null>(null);
   /** What is nearest to each source, where that is shown. */
   readonly cells = new Signal<ShownCells | null>(null);
+  /** The distance from curves, where that is shown. */
+  readonly offsets = new Signal<CurveDistances | null>(null);
   /** Images as they lie on the surface, and which of the scene's is selected; −1 for none. */
   readonly decals = new Signal<readonly LaidImage[]>([]);
   readonly decal = new Signal(-1);

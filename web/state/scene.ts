@@ -33,12 +33,14 @@ export const OVERLAYS = [
   'operator',
   'isolines',
   'cells',
+  'curves',
   'heat',
   'distance',
 ] as const;
 /**
  * The inactive parts; edges of the mesh, boundary edges, places where components meet, edges of the operator's triangles;
- * curves of equal distance at the period of the stripes; what is nearest to each source;
+ * curves of equal distance at the period of the stripes; what is nearest to each source; the distance from curves
+ * with its sign;
  * arrows along the gradients of heat and of distance.
  */
 export type Overlay = (typeof OVERLAYS)[number];

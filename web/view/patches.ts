@@ -5,7 +5,7 @@ import type { Patches } from './layers';
 import type { View } from './view';
 
 /** What lies on the surface, from below to above. */
-const GROUPS = ['cells', 'decals'] as const;
+const GROUPS = ['sides', 'cells', 'decals'] as const;
 type Group = (typeof GROUPS)[number];
 
 /** What lets the surface be seen through it. */

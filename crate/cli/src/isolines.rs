@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use anyhow::{Result, bail};
 use glam::DVec3;
 use heatwalk::{Answer, Error, FaceId, Place, Surface, Unit, VertexData, go_on};
-use heatwalk_curves::{Field, Isolines, Levels, Places, Refined, Sheet, Strips, TRUE_TO, write};
+use heatwalk_curves::{Field, Isolines, Levels, Places, Refined, Sheet, Strips, TRUE_TO, is_continuous, write};
 use serde_json::json;
 
 use crate::args;
@@ -15,9 +15,6 @@ use crate::output::{CurveFormat, Output, SheetFormat};
 use crate::question::{Posed, pose};
 use crate::report::milliseconds;
 use crate::volume;
-
-/// Distance changes by no more than length; rounding adds less than this share.
-const JUMP: f64 = 1e-6;
 
 /// For isolines that follow the distance itself.
 const MOST_TIME: Duration = Duration::from_secs(2);
@@ -133,12 +130,7 @@ impl Asked {
     /// Whether distance does not jump from positive to negative on a face, as it does beyond the ends of curves with a sign.
     fn is_continuous_on(&self, surface: &Surface, face: FaceId) -> bool {
         let Self::Curves(Found { values, .. }) = self else { return true };
-        let (corners, vertices) = (surface.corners(face), surface.faces()[face]);
-        [(0, 1), (1, 2), (2, 0)].into_iter().all(|(a, b)| {
-            let change = (values[vertices[a]] - values[vertices[b]]).abs();
-            let is_reached = change.is_finite();
-            !is_reached || change <= corners[a].distance(corners[b]) * (1.0 + JUMP)
-        })
+        is_continuous(surface.corners(face), surface.faces()[face].map(|vertex| values[vertex]))
     }
 }
 

@@ -137,6 +137,18 @@ impl Field {
     }
 }
 
+/// By how much more than along an edge a distance may change there, as a share of it, by rounding.
+const JUMP: f64 = 1e-6;
+
+/// Whether a distance with a sign goes on within a triangle: beyond the ends of curves it jumps from positive to negative. `corners` and
+/// `values` are in one unit; what is not reached is no jump.
+pub fn is_continuous(corners: [DVec3; 3], values: [f64; 3]) -> bool {
+    [(0, 1), (1, 2), (2, 0)].into_iter().all(|(a, b)| {
+        let change = (values[a] - values[b]).abs();
+        !change.is_finite() || change <= corners[a].distance(corners[b]) * (1.0 + JUMP)
+    })
+}
+
 /// The longest edge of a triangle.
 pub(crate) fn longest([a, b, c]: [DVec3; 3]) -> f64 {
     [b - a, c - b, a - c].map(triangle::length).into_iter().fold(0.0, f64::max)

@@ -7,6 +7,7 @@
 
 mod area;
 mod borders;
+mod clip;
 mod decal;
 mod division;
 mod error;
@@ -25,7 +26,7 @@ pub use borders::{Borders, Tile};
 pub use decal::{Patch, decal};
 pub use division::Division;
 pub use error::{Error, MAX_DEFECT, MOST_LEVELS, NotDevelopable, Result};
-pub use field::Field;
+pub use field::{Field, is_continuous};
 pub use isolines::{Curve, Isoline, Isolines, Kind};
 pub use levels::Levels;
 pub use refine::{Places, Refined, TRUE_TO};

@@ -114,6 +114,7 @@ export const OPTIONS: Texts = {
   'there is no such triangle': 'ce triangle n’existe pas',
   'a triangle has three weights': 'un triangle a trois poids',
   'no search was begun': 'aucune recherche n’a été commencée',
+  'no isolines were traced': 'aucune isoligne n’a été tracée',
   'there is no such file of curves': 'ce fichier de courbes n’existe pas',
   'there is no such file of distances': 'ce fichier de distances n’existe pas',
   'there is not one distance for each vertex of the file': 'il n’y a pas une distance par sommet du fichier',

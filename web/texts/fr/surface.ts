@@ -29,6 +29,24 @@ export const SURFACE: Texts = {
   'Where costs differ no distance is exact, and cells are not known.':
     'Là où les coûts diffèrent, aucune distance n’est exacte et les cellules ne sont pas connues.',
   'A source is on no triangle.': 'Une source n’est sur aucun triangle.',
+  'Distance from curves': 'Distance aux courbes',
+  'Exact distance from all of a curve, not its places alone, negative inside; in two colors':
+    'Distance exacte à toute la courbe, non à ses seuls points, négative à l’intérieur ; en deux couleurs',
+  Offsets: 'Courbes parallèles',
+  'Save offsets': 'Enregistrer les courbes parallèles',
+  'The curve and its offsets on both sides, as far apart as the stripes':
+    'La courbe et ses parallèles des deux côtés, aussi distantes que les rayures',
+  'Blue is inside, up to {0} deep; orange is outside, up to {1} away.':
+    'Le bleu est l’intérieur, jusqu’à {0} de profondeur ; l’orange est l’extérieur, jusqu’à {1}.',
+  'Curves are on surfaces alone.': 'Les courbes sont sur des surfaces seulement.',
+  'There is no curve yet: draw a line or a stroke, or choose a boundary.':
+    'Il n’y a pas encore de courbe : dessinez une ligne ou un trait, ou choisissez un bord.',
+  'Where costs differ no distance from curves is known.':
+    'Là où les coûts diffèrent, aucune distance aux courbes n’est connue.',
+  'Exact distance from all of each curve, with a sign, in two colors, and files of its offsets.':
+    'Distance exacte à toute la courbe, avec un signe, en deux couleurs, et fichiers de ses parallèles.',
+  'The curve and its offsets as DXF, OBJ, CSV or GLB, or as seen, as SVG or PDF.':
+    'La courbe et ses parallèles en DXF, OBJ, CSV ou GLB, ou telles que vues, en SVG ou PDF.',
   'Images on the surface': 'Images sur la surface',
   Compass: 'Boussole',
   'Polar rings': 'Anneaux polaires',

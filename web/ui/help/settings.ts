@@ -79,6 +79,11 @@ export const SETTINGS: Record<string, Record<string, Words | Explanation>> = {
   sources: {
     Draw: t('What a click or a drag on the surface adds: a line, a stroke, a whole boundary or part.'),
     Borders: t('Curves where another source becomes the nearest one.'),
+    'Distance from curves': about(
+      t('Exact distance from all of each curve, with a sign, in two colors, and files of its offsets.'),
+      'page#distance-from-curves',
+    ),
+    Offsets: t('The curve and its offsets as DXF, OBJ, CSV or GLB, or as seen, as SVG or PDF.'),
     Cells: about(
       t(
         'Colors by the source that is nearest, by exact distances, with borders between them, areas, and files of the borders.',

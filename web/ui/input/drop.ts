@@ -38,7 +38,8 @@ export function dropTarget(open: (input: InputFiles) => void, fetch: (address: s
     const { dataTransfer } = event;
     const address = dataTransfer && draggedAddress(dataTransfer);
     if (address) fetch(address);
-    else if (dataTransfer?.types.includes('Files')) open({ ...itemsOf(dataTransfer.items), at: [event.clientX, event.clientY] });
+    else if (dataTransfer?.types.includes('Files'))
+      open({ ...itemsOf(dataTransfer.items), at: [event.clientX, event.clientY] });
   });
   return frame;
 }

@@ -1,31 +1,21 @@
 /** Which source is nearest: colors on the surface, a table of areas, and files of the borders. */
 import { Failure } from '../../error';
-import type { CurveFile, FoundCells } from '../../protocol';
+import type { FoundCells } from '../../protocol';
 import { spreadSources, whyNoCells } from '../../session/cells';
-import { towardEye } from '../../session/export';
 import type { Session } from '../../session/session';
 import { colourOfCell } from '../../state/cells';
 import { isWeighted } from '../../state/ground';
 import { threeDigits, withUnit } from '../../state/measures';
 import type { Overlay } from '../../state/scene';
-import { isKnown, isSameUnit, MODEL, ofModel, toldArea, unitOf, unitOfFile } from '../../length';
-import { save } from '../../view/picture';
-import { attribute, h, select } from '../dom';
+import { isSameUnit, MODEL, ofModel, toldArea, unitOf } from '../../length';
+import { attribute, h } from '../dom';
 import { toggle } from '../widgets';
-import { fileNameOf, finePercent } from '../words';
+import { finePercent } from '../words';
 import { entryAt } from './entries';
+import { savingCurves } from './saving';
 import { count, counted, t, type Words } from '../../texts';
 
 const CELLS: Overlay = 'cells';
-type Kind = Extract<CurveFile['kind'], 'dxf' | 'obj' | 'svg' | 'pdf' | 'csv' | 'glb'>;
-const FILES: readonly (readonly [Kind, Words])[] = [
-  ['dxf', 'DXF'],
-  ['obj', 'OBJ'],
-  ['svg', t('as seen, SVG')],
-  ['pdf', t('as seen, PDF')],
-  ['csv', 'CSV'],
-  ['glb', 'GLB'],
-];
 const MOST_SPREAD = 1000;
 /** Of relaxing: after so many, sources hardly move. */
 const ROUNDS = 10;
@@ -72,23 +62,18 @@ export function cellsControls(session: Session): HTMLElement[] {
     }
   });
   const spreading = h('div', { class: 'linking' }, many, spread, relax);
-  let [[kind]] = FILES as readonly [readonly [Kind, Words]];
-  const file = select(t('Borders'), FILES, (value) => (kind = value));
-  const keep = h(
-    'button',
-    {
-      class: 'wide',
-      title: t('The borders, where another source becomes the nearest one'),
-      onclick: () => void saveBorders(session, kind).catch((error: unknown) => session.fail(error)),
-    },
-    t('Save borders'),
-  );
-  const saving = h('div', { class: 'stack', hidden: true }, file.element, keep);
+  const saving = savingCurves(session, {
+    label: t('Borders'),
+    button: t('Save borders'),
+    title: t('The borders, where another source becomes the nearest one'),
+    suffix: 'cells',
+    file: (engine, file) => engine.queries.cellFile(file),
+  });
   const show = () => {
     on.show(scene.state.overlays.includes(CELLS));
     on.bar(shown.value && whyNoCells(shown.value, scene.state));
     saving.hidden = cells.value === null;
-    keep.disabled = cells.value?.outdated === true;
+    saving.inert = cells.value?.outdated === true;
     spreading.hidden = shown.value?.opened.interior !== null || isWeighted(shown.value.answer.question.ground);
     relax.hidden = scene.state.sets.length > 0 || scene.state.sources.length < 2;
     table.replaceChildren(...(cells.value ? [tableOf(session, cells.value)] : []));
@@ -124,15 +109,4 @@ function tableOf({ scene, shown }: Session, { areas }: FoundCells): HTMLElement 
     h('thead', {}, h('tr', {}, ...heads)),
     h('tbody', {}, ...rows),
   );
-}
-
-async function saveBorders({ scene, shown, engine, view }: Session, kind: Kind): Promise<void> {
-  if (!engine || !shown.value) return;
-  const unit = unitOfFile(kind, unitOf(scene.state, shown.value.opened));
-  if (kind === 'pdf' && !isKnown(unit))
-    throw new Failure(
-      t('A PDF is at true scale, and nothing says what the lengths are in. Choose it by "Correct unit".'),
-    );
-  const bytes = await engine.queries.cellFile({ kind, towardEye: towardEye(view.camera), unit });
-  save(new Blob([bytes]), `${fileNameOf(shown.value)}.cells.${kind}`);
 }

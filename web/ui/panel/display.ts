@@ -21,6 +21,7 @@ const OVERLAY_WORDS: Record<Overlay, Words> = {
   operator: t('Operator edges'),
   isolines: t('Isolines'),
   cells: t('Cells'),
+  curves: t('Distance from curves'),
   heat: t('Heat gradient'),
   distance: t('Distance gradient'),
 };
@@ -55,13 +56,15 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
   const lights = toggle(t('Lights of the file'), (on) => scene.edit({ lights: on ? 'file' : 'style' }));
   const legend = h('p', { class: 'quiet', role: 'status' });
   const without = (gone: readonly Overlay[]) => scene.state.overlays.filter((overlay) => !gone.includes(overlay));
-  const overlays = OVERLAYS.filter((overlay) => !isArrows(overlay) && overlay !== 'cells').map((overlay) => {
-    const { element, show, bar } = toggle(OVERLAY_WORDS[overlay], (on) => {
-      const rest = without([overlay]);
-      scene.edit({ overlays: on ? [...rest, overlay] : rest });
-    });
-    return { overlay, element, show, bar };
-  });
+  const overlays = OVERLAYS.filter((overlay) => !isArrows(overlay) && overlay !== 'cells' && overlay !== 'curves').map(
+    (overlay) => {
+      const { element, show, bar } = toggle(OVERLAY_WORDS[overlay], (on) => {
+        const rest = without([overlay]);
+        scene.edit({ overlays: on ? [...rest, overlay] : rest });
+      });
+      return { overlay, element, show, bar };
+    },
+  );
   const arrows = radios<Arrows>(
     t('Arrows'),
     [['none', t('No arrows')], ...labelled(ARROWS, OVERLAY_WORDS)],

@@ -10,6 +10,7 @@ import { save } from '../../view/picture';
 import { h, say, select } from '../dom';
 import { byHand } from '../words';
 import { cellsControls } from './cells';
+import { offsetsControls } from './offsets';
 import { DRAWING, type Tool } from '../../state/tool';
 import { plainNumbers, t, type Words } from '../../texts';
 
@@ -133,7 +134,7 @@ export function drawingControls(session: Session, tool: Signal<Tool>): HTMLEleme
   session.shown.watch(() => {
     if (!session.dragging) showSets();
   });
-  return [choice.element, hint, typed, said, tooMany, keeping, ...cellsControls(session)];
+  return [choice.element, hint, typed, said, tooMany, keeping, ...cellsControls(session), ...offsetsControls(session)];
 }
 
 /** The curve that is selected, if it can be closed. */

@@ -4,8 +4,7 @@ use heatwalk::{CellMap, CellSearch, Place, SampleCount, Source, farthest_samples
 use heatwalk_bindings::{Failure, Result, transform};
 use wasm_bindgen::prelude::*;
 
-use super::distances::FileUnit;
-use super::files::{curve_file, picture};
+use super::files::{FileUnit, scaled_file};
 use super::surface::{ExactSurface, no_triangle};
 use crate::borders::Borders;
 use crate::field::Field;
@@ -156,13 +155,6 @@ impl Cells {
         #[wasm_bindgen(unchecked_param_type = "Up")] up: &str,
         unit: FileUnit,
     ) -> Result<Vec<u8>> {
-        let FileUnit { scale, unit } = unit;
-        let curves = self.borders.curves.scaled(scale);
-        if kind != "svg" && kind != "pdf" {
-            return curve_file(kind, &curves, unit);
-        }
-        let positions = self.field.positions().iter().map(|&position| scale * position).collect();
-        let field = Field::new(positions, self.field.triangles().to_vec(), self.field.distances().to_vec())?;
-        picture(kind, (&curves, &field), (toward_eye, up), unit)
+        scaled_file(kind, (&self.borders.curves, &self.field), (toward_eye, up), unit)
     }
 }

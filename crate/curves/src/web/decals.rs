@@ -57,7 +57,7 @@ impl DecalSurface {
         let positions: Vec<DVec3> = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
         let division = Division::of(&positions, triangles.as_chunks().0, longest, MOST_PARTS);
         let soup = Soup::single("surface", division.positions.clone(), division.triangles.clone());
-        let on = ExactSurface::of(soup, rule, links)?;
+        let on = ExactSurface::of(&soup, rule, links)?;
         Ok(Self { surface: surface(&on)?, on, division: Some(division), longest, search: None })
     }
 

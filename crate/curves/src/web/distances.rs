@@ -1,31 +1,13 @@
 //! Files of distances.
 
 use glam::DVec3;
-use heatwalk::{Soup, Unit};
+use heatwalk::Soup;
 use heatwalk_bindings::{Failure, Resource, Result, resources};
 use heatwalk_model::{Model, io};
 use wasm_bindgen::prelude::*;
 
-use super::files::unit_of;
+use super::files::FileUnit;
 use crate::write;
-
-/// What lengths in a file are told in.
-#[derive(Clone, Copy)]
-#[wasm_bindgen]
-pub struct FileUnit {
-    pub(super) scale: f64,
-    pub(super) unit: Option<Unit>,
-}
-
-#[wasm_bindgen]
-impl FileUnit {
-    /// `scale`: by what lengths are multiplied for it; its symbol may be empty.
-    #[wasm_bindgen(constructor)]
-    #[must_use]
-    pub fn new(scale: f64, symbol: &str) -> Self {
-        Self { scale, unit: unit_of(symbol) }
-    }
-}
 
 /// A file of distances, one a vertex: "csv", "npy", "ply" or "glb", or "weights.ply" with vertex colors. `positions` are `#V × 3`,
 /// `triangles` `#F × 3`. All lengths are told in this unit.

@@ -3,10 +3,29 @@
 use glam::DVec3;
 use heatwalk::{Unit, Up};
 use heatwalk_bindings::{Failure, Result};
+use wasm_bindgen::prelude::*;
 
 use crate::field::Field;
 use crate::isolines::Isolines;
 use crate::write;
+
+/// What lengths in a file are told in.
+#[derive(Clone, Copy)]
+#[wasm_bindgen]
+pub struct FileUnit {
+    pub(super) scale: f64,
+    pub(super) unit: Option<Unit>,
+}
+
+#[wasm_bindgen]
+impl FileUnit {
+    /// `scale`: by what lengths are multiplied for it; its symbol may be empty.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new(scale: f64, symbol: &str) -> Self {
+        Self { scale, unit: unit_of(symbol) }
+    }
+}
 
 /// "obj", "dxf", "csv" or "glb".
 pub fn curve_file(kind: &str, curves: &Isolines, unit: Option<Unit>) -> Result<Vec<u8>> {
@@ -38,6 +57,22 @@ pub fn picture(
         return Ok(write::svg(curves, field, &view, unit));
     }
     Ok(write::pdf(curves, field, &view, unit.ok_or_else(without_unit)?))
+}
+
+/// A file of curves on the surface of a field, as [`curve_file`] and [`picture`] write them, with all lengths in this unit.
+pub(super) fn scaled_file(
+    kind: &str,
+    (curves, field): (&Isolines, &Field),
+    (toward_eye, up): (&[f64], &str),
+    FileUnit { scale, unit }: FileUnit,
+) -> Result<Vec<u8>> {
+    let curves = curves.scaled(scale);
+    if kind != "svg" && kind != "pdf" {
+        return curve_file(kind, &curves, unit);
+    }
+    let positions = field.positions().iter().map(|&position| scale * position).collect();
+    let field = Field::new(positions, field.triangles().to_vec(), field.distances().to_vec())?;
+    picture(kind, (&curves, &field), (toward_eye, up), unit)
 }
 
 /// The unit of a symbol; none of the empty one.

@@ -5,4 +5,5 @@ mod decals;
 mod distances;
 mod files;
 mod isolines;
+mod offsets;
 mod surface;

@@ -49,14 +49,14 @@ impl ExactSurface {
     #[wasm_bindgen(constructor)]
     pub fn new(positions: &[f64], triangles: &[u32], rule: &str, links: u32) -> Result<Self> {
         let positions = positions.as_chunks().0.iter().copied().map(DVec3::from_array).collect();
-        Self::of(Soup::single("surface", positions, triangles.as_chunks().0.to_vec()), rule, links)
+        Self::of(&Soup::single("surface", positions, triangles.as_chunks().0.to_vec()), rule, links)
     }
 }
 
 impl ExactSurface {
     /// Of the triangles of a soup.
-    pub(super) fn of(soup: Soup, rule: &str, links: u32) -> Result<Self> {
-        let mut solver = DistanceSolver::new(Surface::build_by(&soup, WeldRule::Exact, parallel::ONE)?);
+    pub(super) fn of(soup: &Soup, rule: &str, links: u32) -> Result<Self> {
+        let mut solver = DistanceSolver::new(Surface::build_by(soup, WeldRule::Exact, parallel::ONE)?);
         let whole = Arc::clone(solver.whole());
         solver.join(&whole, rule.parse()?, links as usize)?;
         solver.set_walls(&Walls { faces: Vec::new(), edges: whole.seams() })?;

@@ -1,7 +1,9 @@
 /** What an open mesh can be asked beside the field: each function here is a call of the page's, by `Engine.queries`. */
 import type {
   CellWish,
+  CurveDistances,
   CurveFile,
+  CurveWish,
   DecalWish,
   DistanceFile,
   DrawPath,
@@ -189,6 +191,16 @@ export async function spread(wish: SpreadWish): Promise<Float64Array> {
 /** A file of the borders of the cells that were found last. */
 export async function cellFile(file: CurveFile): Promise<Bytes> {
   return (await import('../cells')).cellFile(file, openMesh().shownAs);
+}
+
+/** Distance from curves, which takes as long as an exact field or, for the sides of open curves, a few. */
+export async function curveDistances(wish: CurveWish): Promise<CurveDistances> {
+  return (await import('../offsets')).curveDistances(openSurface(), wish, openMesh().shownAs);
+}
+
+/** A file of the isolines of the distance from curves that was found last. */
+export async function offsetFile(file: CurveFile): Promise<Bytes> {
+  return (await import('../offsets')).offsetFile(file, openMesh().shownAs);
 }
 
 /** One step of laying an image on the surface; null: it is not laid yet, and the next call goes on. */
