@@ -2,9 +2,9 @@
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 
-/** Crates whose errors reach the page. Of the renderer only errors are told: the rest of its literals are of shaders and labels. */
+/** Crates whose errors reach the page. Of the renderer only errors are told: the rest of its literals are of shaders and labels; what a cloud is joined by, the page tells in its own words. */
 const SAYING =
-  /^((basis|bindings|curves|maker|model|reader|scene|solver|surface|volume|worker)\/src\/.*|viewer\/src\/error)\.rs$/;
+  /^((basis|bindings|curves|maker|model|reader|scene|solver|surface|volume|worker)\/src\/.*|cloud\/src\/(error|text)|viewer\/src\/error)\.rs$/;
 /** Tests, and what files have that are written. */
 const SILENT = /tests(\.rs$|\/)|\/write(\.rs$|\/)/;
 /** Comments, and literals: strings with what is in them, those of bytes, raw ones and characters without. */

@@ -79,8 +79,18 @@ export interface FinerPlaces {
   ofCorners: Uint32Array;
 }
 
-/** The surface as it is drawn; where it is coarse, also divided. */
-export type DrawnSurface = DrawMesh & { finer?: FinerMesh };
+/** The surface as it is drawn; where it is coarse, also divided; of a cloud also the points. */
+export type DrawnSurface = DrawMesh & { finer?: FinerMesh; discs?: Discs };
+
+/** The points of a cloud as discs, one after another, of each its middle first and then its rim. */
+export interface Discs {
+  /** The middle of a disc is the first corner of all of its triangles. */
+  mesh: DrawMesh;
+  /** #D: the triangle of the surface where each vertex lies. */
+  triangles: Uint32Array;
+  /** #D × 3: the weights of the corners of that triangle there. */
+  weights: Float32Array;
+}
 
 /** A coarse surface divided, so that what is drawn within its triangles can follow the distance. */
 export interface FinerMesh {
@@ -204,6 +214,8 @@ export interface OpenedMesh extends wasm.Contents {
   lights: Float32Array;
   /** Null for a mesh as it is in the file. */
   simplified: Simplified | null;
+  /** Whether its vertices are the points of a file without faces, and its triangles join them. */
+  isCloud: boolean;
   /** Images that the browser cannot decode, as the file calls them. */
   undecoded: string[];
   /** For each drawn vertex of the surface, its vertex index in the input (in file order, whichever parts are active). */

@@ -11,7 +11,7 @@ const NO_TEXT =
   /^(Enter|Delete|Backspace|Escape|Home|End|Files|Heatwalk|Python|Rust|Fetching|(pin|initial|quiet|stack) \w+|\.initial input|<iframe .*|--.*|import \w+|# .*|(message|tape-label) \{0\}|\{0\} (ms|px|tapes\.csv)|M\{0\}.*|too (large|long)|cut off|no (run|vertex))$/;
 /** Both languages write them alike. */
 const ALIKE =
-  /^[^a-z]*$|OBJ|DXF|CSV|[×°]|^(Animation|Image|Angle|Sources?|Style|Auto|Propagation|Cholesky|Convergence|Distances?|triangles?|contacts?|points?|exact|Distance|Contacts|Surface|Position|Triangles|Relief|Pause|Maximum|Action|Zoom|Robot|Dragon|Village|Triangle \{0\}|\{0\}, .*|\{0\} triangles|area .*|Stanford .*|distance|propagation|magma|turbo|viridis|jade|studio|contour|Ctrl\+[KV]|(face|buffer|image|skin) \{0\}|Exact\.|.* exact|\{0\} (s|ms|px|contacts?|triangles?|\(P\))|\{0\} \/ s|m = \{0\}|Sources: \{0\})$/;
+  /^[^a-z]*$|OBJ|DXF|CSV|[×°]|^(Animation|Image|Angle|Sources?|Style|Auto|Propagation|Cholesky|Convergence|Distances?|triangles?|contacts?|points?|exact|Distance|Contacts|Surface|Position|Triangles|Relief|Pause|Maximum|Action|Zoom|Robot|Dragon|Village|Triangle \{0\}|\{0\}, .*|\{0\} triangles|area .*|Stanford .*|distance|propagation|magma|turbo|viridis|jade|studio|contour|Ctrl\+[KV]|(face|buffer|image|skin) \{0\}|Exact\.|.* exact|\{0\} (s|ms|px|contacts?|triangles?|points?|\(P\))|\{0\} \/ s|m = \{0\}|Sources: \{0\})$/;
 
 const values = (text: string) => [...text.matchAll(/\{\d\}/g)].map(([value]) => value).toSorted();
 
@@ -196,6 +196,10 @@ test('refusals of files are French as a whole, whatever is put into them', () =>
     [
       'no triangles: scan.xyz is a cloud of 120 points without faces; make a surface of it first',
       'aucun triangle : scan.xyz est un nuage de 120 points sans faces ; faites-en d’abord une surface',
+    ],
+    [
+      'points, line 2: a point needs three numbers, but it is missing',
+      'points, ligne 2 : il faut trois nombres à un point, mais rien ne suit',
     ],
     [
       'Gmsh, line 9: the number of nodes is expected, but the file ends; the file is damaged or cut short, save it again',

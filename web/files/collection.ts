@@ -1,7 +1,7 @@
 /** The meshes of one input: files, or an archive of them. */
 import { Failure } from '../error';
 import type { InputFile, MeshInput } from '../protocol';
-import { fileName, isArchive, isPacked, meshesAmong } from './paths';
+import { fileName, isArchive, isPacked, isText, meshesAmong } from './paths';
 
 export interface Collection {
   /** Paths of the meshes, at least one; the one to be opened unless another is wanted comes first. */
@@ -28,7 +28,7 @@ async function unpacked(file: InputFile): Promise<InputFile> {
 export async function collectArchive(archive: Blob, name?: string): Promise<Collection> {
   const { Archive } = await import('./zip');
   const { paths } = await Archive.of(archive);
-  const [first, ...others] = meshesAmong(paths);
+  const [first, ...others] = meshesAmong(paths.filter((path) => !isText(path)));
   if (first === undefined) throw await noMesh(paths, name);
   return { meshes: [first, ...others], input: (mesh) => ({ kind: 'archive', mesh, archive }) };
 }

@@ -1,14 +1,16 @@
 /** Paths of the files of one input. */
 import { t } from '../texts/translate';
-import { SURFACE_EXTENSIONS, TETRAHEDRON_EXTENSIONS } from '../wasm/contract';
+import { POINT_EXTENSIONS, SURFACE_EXTENSIONS, TETRAHEDRON_EXTENSIONS } from '../wasm/contract';
 
 const SURFACES: readonly string[] = SURFACE_EXTENSIONS;
 const TETRAHEDRA: readonly string[] = TETRAHEDRON_EXTENSIONS;
-const MESHES = [...new Set([...SURFACES, ...TETRAHEDRA])];
-const ARCHIVE = 'zip';
-const PACKED = 'gz';
 /** Of rows of numbers. */
 const TABLE = 'csv';
+/** Of lines of points; those of tables are places on the mesh on screen. */
+const POINTS: readonly string[] = POINT_EXTENSIONS.filter((extension) => extension !== TABLE);
+const MESHES = [...new Set([...SURFACES, ...TETRAHEDRA, ...POINTS])];
+const ARCHIVE = 'zip';
+const PACKED = 'gz';
 /** Of what meshes refer to. */
 const RESOURCES = ['bin', 'mtl', 'png', 'jpg', 'jpeg', 'webp'];
 /** All that can be opened, for a dialog. */
@@ -17,7 +19,7 @@ export const ACCEPTED = [...MESHES, ...RESOURCES, TABLE, ARCHIVE, PACKED].map((e
 /** In words. */
 export const formats = () =>
   t(
-    'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), alone, in a folder or in a .zip, also packed by gzip (.gz)',
+    'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), points (.xyz, .pts, .asc, .txt), alone, in a folder or in a .zip, also packed by gzip (.gz)',
   );
 
 /** What systems put beside the files of the user. */
@@ -25,6 +27,11 @@ const HIDDEN = /(^|\/)(\.|__MACOSX\/)/;
 
 export function isMesh(path: string): boolean {
   return MESHES.includes(extensionOf(path)) && !HIDDEN.test(path);
+}
+
+/** Whether it may be written for people; in an archive it is. */
+export function isText(path: string): boolean {
+  return extensionOf(path) === 'txt';
 }
 
 /** Whether gzip has packed it. */
@@ -67,7 +74,10 @@ function extensionOf(path: string): string {
 
 /** The meshes of a folder, the uppermost first. */
 export function meshesAmong(paths: readonly string[]): string[] {
-  const meshes = paths.filter(isMesh);
+  const all = paths.filter(isMesh);
+  const others = all.filter((path) => !POINTS.includes(extensionOf(path)));
+  // Text beside a mesh is about it.
+  const meshes = others.length > 0 || paths.some(isArchive) ? others : all;
   // A pair of files of TetGen is one mesh.
   const named = new Set(meshes.map((path) => path.toLowerCase()));
   const isSecond = (path: string) => /\.ele$/i.test(path) && named.has(path.toLowerCase().replace(/ele$/, 'node'));

@@ -177,6 +177,7 @@ export class Presenter {
   }
 
   #showMesh({ surface, shade, scenery, appearance, lights }: OpenedMesh, state: SceneState): void {
+    this.#view.joined = state.overlays.includes('joined');
     this.#view.setMesh(surface, shade, meshesOf(visible(scenery, state)), appearance);
     this.#showLights(lights, state);
     this.#view.orthographic = state.orthographic;
@@ -236,6 +237,7 @@ export class Presenter {
     if (!this.#shown || state === previous) return;
     if (state.style !== previous.style) this.#showStyle();
     if (state.orthographic !== previous.orthographic) this.#view.orthographic = state.orthographic;
+    if (state.overlays !== previous.overlays) this.#view.joined = state.overlays.includes('joined');
     if (state.lights !== previous.lights) this.#showLights(this.#shown.opened.lights, state);
     if (state.ground !== previous.ground) this.#showGround(this.#shown, state, isPainted(previous.ground));
     if (state.sources !== previous.sources || state.selected !== previous.selected) this.#showPins();

@@ -299,7 +299,9 @@ export class Session {
     };
     signal.addEventListener('abort', end);
     if (signal.aborted) end();
-    if (engine.opened.surface.finer) this.view.drawBy((await import('../view/finer')).drawingFiner);
+    const { finer, discs } = engine.opened.surface;
+    if (finer) this.view.drawBy((await import('../view/finer')).drawingFiner);
+    if (discs) this.view.drawBy((await import('../view/discs')).drawingDiscs);
     return engine;
   }
 

@@ -29,6 +29,8 @@ export interface Wanted {
 const COARSE = 0.5;
 /** The most triangles that are divided. */
 const MOST_DIVIDED = 20_000;
+/** More points are so dense that the surface that joins them is drawn. */
+const MOST_DISCS = 100_000;
 
 export class SolverClient {
   #spare: SolverWorker | null = null;
@@ -56,7 +58,10 @@ export class SolverClient {
     try {
       const input = handedOver(await worker.during(load()));
       const opened = await worker.api.open(input, [...parts], budget, proxy(progress), up, triangles, fill);
-      if (!opened.interior && isCoarse(opened.surface)) {
+      const { isCloud, clips, report, inputVertices } = opened;
+      if (isCloud && clips.length === 0 && report.vertices <= MOST_DISCS) {
+        opened.surface.discs = (await import('./discs')).discsOf(opened.surface, inputVertices);
+      } else if (!opened.interior && isCoarse(opened.surface)) {
         const { finer, places } = (await import('./finer')).divided(opened.surface);
         opened.surface.finer = finer;
         await worker.api.drawBetween(handedOver(places));

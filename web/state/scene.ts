@@ -27,6 +27,7 @@ export type MeshReference =
 
 export const OVERLAYS = [
   'scenery',
+  'joined',
   'edges',
   'boundary',
   'contacts',
@@ -38,9 +39,9 @@ export const OVERLAYS = [
   'distance',
 ] as const;
 /**
- * The inactive parts; edges of the mesh, boundary edges, places where components meet, edges of the operator's triangles;
- * curves of equal distance at the period of the stripes; what is nearest to each source; the distance from curves
- * with its sign;
+ * The inactive parts; the surface that joins the points of a cloud, in the place of these; edges of the mesh, boundary edges, places
+ * where components meet, edges of the operator's triangles; curves of equal distance at the period of the stripes; what is nearest to
+ * each source; the distance from curves with its sign;
  * arrows along the gradients of heat and of distance.
  */
 export type Overlay = (typeof OVERLAYS)[number];

@@ -76,7 +76,8 @@ export function hikingWords(cost: ModelLength, unit: LengthUnit): Words | null {
 export const LEAST_EXACT = 0.01;
 
 /** How large a mesh is. */
-export function sizeWords({ report, interior }: OpenedMesh): Words {
+export function sizeWords({ report, interior, isCloud }: OpenedMesh): Words {
+  if (isCloud) return counted(report.inputVertices, '{0} point', '{0} points');
   return interior ? tetrahedraWords(interior.report) : trianglesWords(report.faces);
 }
 
@@ -142,70 +143,6 @@ export function simplifiedSentence(opened: OpenedMesh, unit: LengthUnit): Words 
   if (!opened.simplified) return null;
   const { triangles, error, diagonal } = opened.simplified;
   return t`This is a simplified model of ${trianglesWords(triangles)}; it differs by about ${measure(error, unit)}, ${finePercent(error / diagonal)} of the diagonal.`;
-}
-
-const NAMED = 4;
-
-/** What a file was read without, or otherwise than it is written, and what keeps it from looking as it should; null if nothing. */
-export function absentSentence({ name, missing, undecoded, warnings }: OpenedMesh): Words | null {
-  const found = warnings.map((warning) => t`${name}, ${placeWords(warning.place)}: ${warningWords(warning)}.`);
-  if (missing.length === 1) found.push(t`${name} refers to ${first(missing)}, which was not given.`);
-  if (missing.length > 1) found.push(t`${name} refers to ${first(missing)}, which were not given.`);
-  if (undecoded.length > 0) found.push(t`The browser cannot show ${first(undecoded)}.`);
-  return found.length > 0 ? sentences(...found) : null;
-}
-
-/** What was left out, or taken otherwise than it is written. */
-function warningWords({ code, count: number }: OpenedMesh['warnings'][number]): Words {
-  switch (code) {
-    case 'lines-left-out':
-      return counted(number, '{0} point or line left out', '{0} points or lines left out');
-    case 'curves-left-out':
-      return counted(
-        number,
-        '{0} statement of a curve left out; save the model as polygons',
-        '{0} statements of curves left out; save the model as polygons',
-      );
-    case 'volumes-left-out':
-      return counted(number, '{0} cell that fills space left out', '{0} cells that fill space left out');
-    case 'unknown-statements':
-      return counted(number, '{0} unknown statement left out', '{0} unknown statements left out');
-    case 'unjoined-lines':
-      return t('a backslash ends a line; the next one begins a statement of its own and was not joined to it');
-    case 'unended-facets':
-      return counted(number, '{0} facet without endfacet', '{0} facets without endfacet');
-    case 'no-end':
-      return t('the end of the file is missing; it may be cut short');
-    case 'trailing':
-      return t('there is more behind the end; it was left out');
-    case 'straightened':
-      return counted(
-        number,
-        '{0} curved cell made flat between the corners',
-        '{0} curved cells made flat between the corners',
-      );
-    case 'crossed-polygons':
-      return counted(
-        number,
-        '{0} polygon crosses itself; the triangles are a guess',
-        '{0} polygons cross themselves; the triangles are a guess',
-      );
-    default:
-      return code;
-  }
-}
-
-/** A place in a file; the names of elements are those of its format. */
-function placeWords(place: string): Words {
-  const [, line] = /^line (\d+)$/.exec(place) ?? [];
-  return line ? t`line ${line}` : place;
-}
-
-/** Names, of many the first ones. */
-function first(names: readonly string[]): Words {
-  const rest = names.length - NAMED;
-  const shown = names.slice(0, NAMED).map((name) => name || t('an image'));
-  return enumerated(rest > 0 ? [...shown, t`${count(rest)} more`] : shown);
 }
 
 /** How many components there are, and how they are joined: "55 components, 93 contacts, one group". */

@@ -75,6 +75,7 @@ export class View extends Screen {
   readonly overprints: ((context: PlaneContext) => void)[] = [];
   /** What they have in a corner: in CSS pixels of the picture, whose size these are, and how many of its own pixels one is. */
   readonly captions: ((context: PlaneContext, width: number, height: number, pixels: number) => void)[] = [];
+  #isJoined = false;
   painted: PaintedField = { most: 0, period: 0, offset: 0 };
   /** What went wrong while drawing goes on. */
   readonly failure = new Signal<Error | null>(null);
@@ -115,7 +116,10 @@ export class View extends Screen {
     const { materials, images } = appearance ?? NO_APPEARANCE;
     try {
       this.#show('materials', (viewer) => viewer.set_materials([...materials], images));
-      this.#show('surface', (viewer) => viewer.set_surface(surface, shade));
+      this.#show('surface', (viewer) => {
+        const { discs, ...joined } = surface;
+        viewer.set_surface(discs && this.#isJoined ? joined : surface, shade);
+      });
       for (const layer of CLEARED_BY_SURFACE) picture.layers.delete(layer);
       [picture.edges, picture.fields, picture.inside, picture.otherInside] = [NO_EDGES, NO_FIELDS, null, null];
       this.setScenery(scenery);
@@ -135,6 +139,13 @@ export class View extends Screen {
       viewer.set_pose(surface.positions, surface.normals, rests);
       for (const [index, { positions, normals }] of scenery) viewer.set_scenery_pose(index, positions, normals, rests);
     });
+  }
+
+  /** Whether the surface that joins points is drawn in the place of these. */
+  set joined(isJoined: boolean) {
+    if (isJoined === this.#isJoined) return;
+    this.#isJoined = isJoined;
+    this.#redraw();
   }
 
   setScenery(parts: readonly DrawMesh[]): void {

@@ -65,6 +65,8 @@ macro_rules! coded {
 }
 
 coded!(heatwalk::Error, heatwalk::surface::Error, heatwalk_model::Error);
+#[cfg(feature = "cloud")]
+coded!(heatwalk_cloud::Error);
 #[cfg(feature = "volume")]
 coded!(heatwalk_volume::Error, heatwalk_volume::fill::Error, heatwalk_volume::io::Error);
 

@@ -5,8 +5,8 @@ use std::path::Path;
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
-use heatwalk::{LengthUnit, Soup, UnitRule, Warning, WarningCode};
-use heatwalk_cloud::{Cloud, Report as Joining};
+use heatwalk::{LengthUnit, UnitRule, Warning};
+use heatwalk_cloud::Report as Joining;
 use heatwalk_files::read_surface_or_points;
 use heatwalk_model::Model;
 use heatwalk_shapes as shapes;
@@ -41,7 +41,8 @@ impl Input {
             Some(name) => shapes::by_name(name)?,
             None => read_surface_or_points(path)?,
         };
-        let cloud = if file.soup.triangles.is_empty() { Some(join(&mut file, path, threads)?) } else { None };
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let cloud = heatwalk_cloud::join(&name, &mut file, threads).with_context(|| path.display().to_string())?;
         let read_ms = milliseconds(start);
         let unit = match (shape, unit) {
             (Some(_), UnitRule::Automatic) => LengthUnit::default(),
@@ -84,18 +85,6 @@ impl Input {
         );
         Ok(Self { model: input.model.posed(clip, seconds)?, ..input })
     }
-}
-
-/// Makes a surface of points without faces.
-fn join(file: &mut Model, path: &Path, threads: NonZeroUsize) -> Result<Joining> {
-    let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    let points = std::mem::take(&mut file.soup.positions);
-    let Cloud { soup, report } = Cloud::join(&name, points, threads).with_context(|| path.display().to_string())?;
-    let Soup { positions, triangles, parts, .. } = soup;
-    file.soup = Soup { positions, triangles, parts, ..std::mem::take(&mut file.soup) };
-    // Points were not.
-    file.soup.warnings.retain(|warning| warning.code != WarningCode::LinesLeftOut);
-    Ok(report)
 }
 
 /// A line on standard error for each warning.

@@ -11,8 +11,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 pub enum Error {
     /// Less than a triangle.
     #[error(
-        "a cloud without faces has to have three points at least that are different and finite; of the {points} here there {} {different}",
-        if *.different == 1 { "is" } else { "are" }
+        "a cloud has to have three points at least that are different and finite, and of the {points} here so many are: {different}"
     )]
     TooFew {
         /// Points given.
@@ -32,4 +31,16 @@ pub enum Error {
         /// Points given.
         points: usize,
     },
+}
+
+impl Error {
+    /// Names the kind of failure, in kebab case. It stays the same between versions; messages may not.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::TooFew { .. } => "too-few-points",
+            Self::Line { .. } => "points-on-lines",
+            Self::OutOfMemory { .. } => "too-many-points",
+        }
+    }
 }

@@ -22,6 +22,7 @@ mod circle;
 mod error;
 mod fans;
 mod holes;
+mod model;
 mod neighbours;
 mod plane;
 mod sides;
@@ -39,6 +40,7 @@ use heatwalk_surface::Soup;
 use heatwalk_surface::index::along_curve;
 
 pub use error::{Error, Result};
+pub use model::{join, read_within};
 
 use crate::circle::circumradius;
 use crate::fans::Fans;

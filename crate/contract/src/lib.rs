@@ -21,9 +21,10 @@ const SOURCES: [&str; 3] =
     ["crate/solver/src/options.rs", "crate/sparse/src/progress.rs", "crate/bindings/src/failure.rs"];
 
 /// Folders of readers, what the extensions of all their formats are called, and what these are.
-const READERS: [(&str, &str, &str); 2] = [
+const READERS: [(&str, &str, &str); 3] = [
     ("crate/model/src/io", "SURFACE_EXTENSIONS", "Extensions of files that may hold surfaces."),
     ("crate/volume/src/io", "TETRAHEDRON_EXTENSIONS", "Extensions of files that may hold tetrahedra."),
+    ("crate/cloud/src", "POINT_EXTENSIONS", "Extensions of text whose lines are points."),
 ];
 
 /// Enums that are the names of their variants to the page.

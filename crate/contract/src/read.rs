@@ -220,11 +220,11 @@ pub fn extensions(source: &str) -> Result<Vec<String>> {
     Ok(found)
 }
 
-/// Of a pair.
+/// Of a pair, or itself.
 fn first_word(expression: &Expr) -> Option<String> {
     match expression {
         Expr::Tuple(pair) => word(pair.elems.first()?),
-        _ => None,
+        alone => word(alone),
     }
 }
 

@@ -66,6 +66,7 @@ fn the_page_has_the_names_and_ranges_of_the_solver() {
     assert!(text.contains(&format!("export const DEFAULT_WINDOWS = {DEFAULT_WINDOWS};")), "{text}");
     for line in [
         "SURFACE_EXTENSIONS = ['3mf', 'coff', 'glb', 'gltf', 'noff', 'obj', 'off', 'ply', 'stl', 'vtk', 'vtp', 'vtu']",
+        "POINT_EXTENSIONS = ['asc', 'csv', 'pts', 'txt', 'xyz']",
         "TETRAHEDRON_EXTENSIONS = ['ele', 'mesh', 'meshb', 'msh', 'node', 'vtk', 'vtu']",
     ] {
         assert!(text.contains(&format!("export const {line} as const;")), "{line}\nis not in\n{text}");

@@ -5,10 +5,8 @@ mod open;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use heatwalk_cloud::text;
 use heatwalk_model::io::{self, Budget, Resources};
 use heatwalk_model::{Error, Model};
-use heatwalk_surface::Soup;
 use heatwalk_volume::io::{self as volume, Format, TetFile};
 
 pub use open::{MeshFile, open};
@@ -26,13 +24,7 @@ pub fn read_surface(path: &Path) -> Result<Model> {
 /// # Errors
 /// As [`read_surface`].
 pub fn read_surface_or_points(path: &Path) -> Result<Model> {
-    open(path, |file| {
-        if text::names_points(file.name) {
-            let points = text::read_points(file.name, file.bytes).with_context(|| path.display().to_string())?;
-            return Ok(Soup { positions: points, ..Soup::default() }.into());
-        }
-        surface_of(&file, path, io::read_mesh_or_points_within)
-    })
+    open(path, |file| surface_of(&file, path, heatwalk_cloud::read_within))
 }
 
 /// Reads the surface of bytes that are not on the disk, in which nothing else is referred to. The extension of `name` tells the format

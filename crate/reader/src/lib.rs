@@ -3,10 +3,12 @@
 
 #![cfg(target_arch = "wasm32")]
 
+use std::num::NonZeroUsize;
+
 use glam::DVec3;
 use heatwalk::Up;
 use heatwalk_bindings::{Resource, Result, resources};
-use heatwalk_model::io;
+use heatwalk_model::io::{self, Budget};
 use wasm_bindgen::prelude::*;
 
 /// What a file holds.
@@ -14,21 +16,33 @@ use wasm_bindgen::prelude::*;
 pub struct ReadMesh {
     packed: Vec<u8>,
     up: Option<Up>,
+    is_cloud: bool,
 }
 
 #[wasm_bindgen]
 impl ReadMesh {
-    /// Reads a mesh. `resource` gives the bytes of a file that it refers to.
+    /// Reads a mesh, or points, which are joined to one. `resource` gives the bytes of a file that it refers to.
     pub fn read(name: &str, bytes: &[u8], resource: &Resource) -> Result<Self> {
-        let model = io::read(name, bytes, &resources(resource))?;
+        let budget = &Budget::of_file(bytes.len());
+        let resource = resources(resource);
+        let within = |uri: &str| budget.admit(resource(uri)?).ok();
+        let mut model = heatwalk_cloud::read_within(budget, name, bytes, &within)?;
+        let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+        let is_cloud = heatwalk_cloud::join(stem, &mut model, NonZeroUsize::MIN)?.is_some();
         let up = io::upward(name, bytes).map(|up| if up == DVec3::Z { Up::Z } else { Up::Y });
-        Ok(Self { packed: model.packed(), up })
+        Ok(Self { packed: model.packed(), up, is_cloud })
     }
 
     /// What points up by the rules of its format; undefined where that says nothing.
     #[wasm_bindgen(getter, unchecked_return_type = "Up | undefined")]
     pub fn up(&self) -> Option<String> {
         self.up.map(|up| up.to_string())
+    }
+
+    /// Whether it was points without faces.
+    #[wasm_bindgen(getter)]
+    pub fn is_cloud(&self) -> bool {
+        self.is_cloud
     }
 
     /// All of it, for the solver's module; to be taken once.

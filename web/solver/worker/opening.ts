@@ -7,7 +7,7 @@ import { type Files, filesOf, unpackedOf } from './files';
 import { decodeImages } from './images';
 import { boundaryOf, filled, readFaces, readTetrahedra, shapeOfTetrahedra, type Tetrahedra } from './interior';
 import { makeShape } from './maker';
-import { readMesh } from './reader';
+import { type Faces, readMesh } from './reader';
 import { simplify } from './simplify';
 
 /** Where simplifying and filling begin in the time that opening takes, and where filling ends. */
@@ -19,7 +19,7 @@ interface MeshSource {
   name: string;
   /** SHA-256 of the file, hex; empty for what is in none. */
   hash: string;
-  read: () => Promise<wasm.MeshFile | Tetrahedra>;
+  read: () => Promise<Faces | Tetrahedra>;
 }
 
 /** What is wanted of a mesh: the indices of its parts, or all; at most `most` triangles; filled with about `fill` tetrahedra. */
@@ -36,7 +36,7 @@ export async function openingOf(
   progress: ProgressListener,
 ): Promise<Opening> {
   const given = await read();
-  if (!(given instanceof wasm.MeshFile)) {
+  if ('tetrahedra' in given) {
     const opening = tetrahedraIn(given, name, null);
     return given.isFile ? opening : { ...opening, unit: NO_UNIT };
   }
@@ -51,18 +51,22 @@ export async function sourceOf(input: MeshInput): Promise<MeshSource> {
     case 'archive':
       return sourceIn(await unpackedOf(input.archive), input.mesh);
     case 'shape':
-      return madeSource(input.shape, () => makeShape(input.shape));
+      return madeSource(input.shape, async () => withFaces(await makeShape(input.shape)));
     case 'tetrahedra':
       return madeSource(input.shape, () => shapeOfTetrahedra(input.shape));
     case 'arrays': {
       const { name, positions, triangles } = input;
-      return madeSource(name, () => Promise.resolve(wasm.MeshFile.arrays(name, positions, triangles)));
+      return madeSource(name, async () => withFaces(wasm.MeshFile.arrays(name, positions, triangles)));
     }
   }
 }
 
 function madeSource(name: string, read: MeshSource['read']): MeshSource {
   return { name, hash: '', read };
+}
+
+function withFaces(file: wasm.MeshFile): Faces {
+  return { file, isCloud: false };
 }
 
 async function sourceIn(files: Files, mesh: string): Promise<MeshSource> {
@@ -74,15 +78,14 @@ async function sourceIn(files: Files, mesh: string): Promise<MeshSource> {
       return await readTetrahedra(mesh, bytes, files);
     } catch (error) {
       if (!(error instanceof Error && error.name === 'no-tetrahedra')) throw error;
-      return tetrahedra === true ? readFaces(mesh, bytes, files) : readMesh(mesh, bytes, files);
+      return tetrahedra === true ? withFaces(await readFaces(mesh, bytes, files)) : readMesh(mesh, bytes, files);
     }
   };
   return { name: fileName(mesh), hash: await hashOf(bytes), read };
 }
 
 /** What is to be opened. */
-export interface Opening {
-  file: wasm.MeshFile;
+export interface Opening extends Faces {
   chosen: Uint32Array;
   simplified: Simplified | null;
   /** The symbol of the unit of lengths, and whether it is assumed. */
@@ -93,7 +96,13 @@ export interface Opening {
 
 function tetrahedraIn(mesh: Tetrahedra, name: string, simplified: Simplified | null, up?: Up): Opening {
   const { file, vertices } = boundaryOf(mesh, name, up);
-  return { file, chosen: Uint32Array.of(0), simplified, unit: unitOf(file), inner: { mesh, vertices } };
+  return {
+    ...withFaces(file),
+    chosen: Uint32Array.of(0),
+    simplified,
+    unit: unitOf(file),
+    inner: { mesh, vertices },
+  };
 }
 
 /** About `count` tetrahedra in what the chosen parts of a file enclose. */
@@ -114,23 +123,24 @@ async function stuffed(
 
 /** The chosen parts of a file; a simplified model of these as the only part where they have more triangles than are wanted. */
 async function fewer(
-  file: wasm.MeshFile,
+  faces: Faces,
   name: string,
   parts: readonly number[],
   most: number | null,
   progress: ProgressListener,
 ): Promise<Opening> {
+  const { file } = faces;
   const all = file.contents().parts;
   // A link may name parts of another file.
   const there = parts.filter((part) => part < all.length);
   const chosen = Uint32Array.from(there.length > 0 ? there : all.keys());
   if (most === null || chosen.reduce((sum, part) => sum + (all[part]?.triangles ?? 0), 0) <= most) {
-    return { file, chosen, simplified: null, unit: unitOf(file), inner: null };
+    return { ...faces, chosen, simplified: null, unit: unitOf(file), inner: null };
   }
   progress({ stage: 'Simplifying', fraction: SIMPLIFY_FROM, vertices: 0 });
   const less = await simplify(file, chosen, name, most);
   file.free();
-  return { ...less, chosen: Uint32Array.of(0), unit: unitOf(less.file), inner: null };
+  return { ...less, isCloud: false, chosen: Uint32Array.of(0), unit: unitOf(less.file), inner: null };
 }
 
 /** Of shapes that are made in code. */

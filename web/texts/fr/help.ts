@@ -206,6 +206,8 @@ export const HELP: Texts = {
   'The field in the stripes: distance, heat, or the error of the answer that came first.':
     'Le champ des bandes : distance, chaleur, ou erreur de la première réponse.',
   'Parts of the file that nobody walks on.': 'Pièces du fichier où personne ne marche.',
+  'The triangles that join the points of a file without faces.':
+    'Les triangles qui relient les points d’un fichier sans faces.',
   'The triangles of the file.': 'Les triangles du fichier.',
   'Edges with a triangle on one side only.': 'Arêtes avec un triangle d’un seul côté.',
   'Where distance crosses from one component to another.': 'Où la distance passe d’une composante à une autre.',

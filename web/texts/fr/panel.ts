@@ -90,6 +90,7 @@ export const PANEL: Texts = {
   Play: 'Lire',
   Comparison: 'Comparaison',
   'Inactive parts (scenery)': 'Pièces inactives (décor)',
+  'Surface in the place of points': 'Surface à la place des points',
   'Mesh edges': 'Arêtes du maillage',
   'Boundary edges': 'Arêtes de bord',
   Legend: 'Légende',
@@ -552,6 +553,8 @@ export const PANEL: Texts = {
   Look: 'Aspect',
   'All parts are active.': 'Toutes les pièces sont actives.',
   'The surface is closed.': 'La surface est fermée.',
+  'So many points are drawn as the surface that joins them.':
+    'Autant de points sont dessinés comme la surface qui les relie.',
   'Nothing touches or is linked.': 'Rien ne se touche ni n’est relié.',
   'Isolines are on surfaces alone.': 'Les isolignes ne sont que sur des surfaces.',
   'Where costs differ no distance is exact, and the error is not known.':

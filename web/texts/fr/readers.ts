@@ -26,6 +26,15 @@ export const READERS: Texts = {
   'node {0} of a skin': 'nœud {0} d’un skin',
   'scene {0}': 'scène {0}',
   'skin {0}': 'skin {0}',
+  // Points without faces.
+  'a point needs three numbers, but {0}': 'il faut trois nombres à un point, mais {0}',
+  'points, {0}: {1}': 'points, {0} : {1}',
+  'a cloud has to have three points at least that are different and finite, and of the {0} here so many are: {1}':
+    'un nuage doit avoir au moins trois points différents et finis, et des {0} d’ici, autant le sont : {1}',
+  'all {0} points lie on lines, so no triangles can be made between them; give points of a surface':
+    'les {0} points sont tous sur des lignes, donc aucun triangle ne peut les relier ; donnez des points d’une surface',
+  'there is not enough memory to join {0} points; give fewer':
+    'la mémoire ne suffit pas pour relier {0} points ; donnez-en moins',
   // How much.
   '{0} bytes': '{0} octets',
   '{0} KB': '{0} ko',

@@ -201,6 +201,10 @@ export const SETTINGS: Record<string, Record<string, Words | Explanation>> = {
       'page#the-stage',
     ),
     'Inactive parts (scenery)': about(t('Parts of the file that nobody walks on.'), 'page#models-of-several-parts'),
+    'Surface in the place of points': about(
+      t('The triangles that join the points of a file without faces.'),
+      'page#points',
+    ),
     'Mesh edges': about(t('The triangles of the file.'), 'method#operator-the-intrinsic-delaunay-triangulation'),
     'Boundary edges': about(t('Edges with a triangle on one side only.'), 'method#boundaries'),
     Contacts: about(t('Where distance crosses from one component to another.'), 'method#components-that-touch'),

@@ -3,6 +3,7 @@ import { hostOf, nameOf } from '../../files/address';
 import { MOST_FETCHED } from '../../files/fetch';
 import { fileName } from '../../files/paths';
 import type { Action, Notifier } from '../../session/notifier';
+import type { OpenedMesh } from '../../protocol';
 import type { Shown } from '../../session/prepare';
 import { unitOf } from '../../length';
 import { refusedWords } from '../../state/link';
@@ -10,7 +11,7 @@ import type { SceneState } from '../../state/scene';
 import { AUTOMATIC } from '../../wasm/contract';
 import { copy } from '../clipboard';
 import { h } from '../dom';
-import { absentSentence, openingDetails, openingSentence } from '../words';
+import { openingDetails, openingSentence } from '../words';
 import { t, type Words } from '../../texts';
 
 const SHOWN_MS = 8000;
@@ -30,6 +31,8 @@ export class Messages implements Notifier {
   sumsUp = true;
   /** What asks for what a file does not say of itself; null: nothing does. */
   question: (() => Promise<HTMLElement>) | null = null;
+  /** What was opened last. */
+  #opened: OpenedMesh | null = null;
   #summary: HTMLElement | null = null;
   #absent: HTMLElement | null = null;
   #remark: HTMLElement | null = null;
@@ -47,15 +50,26 @@ export class Messages implements Notifier {
   /** Says what was done; replaces the message about the mesh before, and the last error. */
   opened(title: Words, shown: Shown, state: SceneState): void {
     for (const former of [this.#summary, this.#absent, this.#failed, this.#chosen, this.#remark]) former?.remove();
+    this.#opened = shown.opened;
     if (this.sumsUp) this.#sumUp(title, shown, state);
-    const absent = absentSentence(shown.opened);
-    this.#absent = absent === null ? null : this.#say(this.#polite, 'notice', absent, []);
+    const { missing, undecoded, warnings } = shown.opened;
+    if (missing.length + undecoded.length + warnings.length > 0) void this.#tellAbsent(shown.opened);
+  }
+
+  /** What the file was read without. */
+  async #tellAbsent(opened: OpenedMesh): Promise<void> {
+    const { absentSentence } = await import('./read');
+    if (opened !== this.#opened) return;
+    this.#absent = this.#say(this.#polite, 'notice', absentSentence(opened), []);
   }
 
   #sumUp(title: Words, { opened, answer }: Shown, state: SceneState): void {
     const unit = unitOf(state, opened);
     const sentence = openingSentence(title, opened, answer.factoring, unit);
     this.#summary = this.#say(this.#polite, 'summary', sentence, []);
+    const said = this.#summary.querySelector('p');
+    if (opened.isCloud)
+      void import('./read').then(({ cloudSentence }) => said?.append(' ', h('span', {}, cloudSentence(opened))));
     const lines = openingDetails(opened, answer.factoring, unit).map((line) => h('li', {}, line));
     this.#summary.append(h('details', { class: 'more' }, h('summary', {}, t('Details')), h('ul', {}, ...lines)));
     const asks = state.mesh.kind !== 'preset' && state.unit === AUTOMATIC && opened.unitAssumed;

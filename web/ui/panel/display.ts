@@ -15,6 +15,7 @@ import { count, sentences, t, type Words } from '../../texts';
 
 const OVERLAY_WORDS: Record<Overlay, Words> = {
   scenery: t('Inactive parts (scenery)'),
+  joined: t('Surface in the place of points'),
   edges: t('Mesh edges'),
   boundary: t('Boundary edges'),
   contacts: t('Contacts'),
@@ -105,7 +106,9 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
       // What is on at first can be switched on again.
       if (overlay === 'scenery') reason(element, why);
       else bar(why);
-      element.hidden = method !== 'heat' && OF_HEAT.overlays.includes(overlay);
+      element.hidden =
+        (method !== 'heat' && OF_HEAT.overlays.includes(overlay)) ||
+        (overlay === 'joined' && !session.shown.value?.opened.isCloud);
       showToggle(drawn.includes(overlay));
     }
     const { overlays: shownOverlays } = available(scene.state, method);
@@ -141,6 +144,8 @@ function whyNothing(overlay: Overlay, { opened, answer }: Shown): Words | null {
   const { report, interior, scenery } = opened;
   const { contacts, links } = answer.factoring;
   if (overlay === 'scenery' && scenery.length === 0) return t('All parts are active.');
+  if (overlay === 'joined' && !opened.surface.discs)
+    return t('So many points are drawn as the surface that joins them.');
   if (overlay === 'boundary' && report.boundaryLoops === 0 && !hasWalls(answer.question.ground))
     return t('The surface is closed.');
   if (overlay === 'contacts' && contacts + links === 0) return t('Nothing touches or is linked.');

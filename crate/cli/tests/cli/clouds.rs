@@ -88,9 +88,9 @@ fn what_is_no_surface_is_refused_in_a_sentence() {
     };
     assert!(refuse("").contains("a.xyz is empty"));
     assert!(
-        refuse("1 2 3\n").contains("three points at least that are different and finite; of the 1 here there is 1")
+        refuse("1 2 3\n").contains("three points at least that are different and finite, and of the 1 here so many are: 1")
     );
-    assert!(refuse(&"1 2 3\n".repeat(9)).contains("of the 9 here there is 1"));
+    assert!(refuse(&"1 2 3\n".repeat(9)).contains("of the 9 here so many are: 1"));
     assert!(refuse(&(0..9).map(|k| format!("{k} {k} 0\n")).collect::<String>()).contains("lie on lines"));
     assert!(refuse("1 2\n").contains("line 1: a point needs three numbers"));
     let surface_of_free_form = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nsurf 0 1 0 1 1\n";

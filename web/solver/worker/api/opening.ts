@@ -84,7 +84,7 @@ export async function open(
   const source = await sourceOf(input);
   const { name, hash } = source;
   const clock = stopwatch();
-  const { file, chosen, simplified, unit, inner } = await openingOf(source, { parts, most, fill }, progress);
+  const { file, isCloud, chosen, simplified, unit, inner } = await openingOf(source, { parts, most, fill }, progress);
   const look = lookOf(file);
   const readMs = clock();
   progress({ stage: 'Welding', fraction: inner ? FILLED_FROM : BUILD_FROM, vertices: 0 });
@@ -114,6 +114,7 @@ export async function open(
     cameras: drawing.cameras(),
     lights: drawing.lights(),
     simplified,
+    isCloud,
     shade: scenery.length === 0 ? drawing.shade() : null,
     surface: drawing.take_mesh(),
     ...(await look),
