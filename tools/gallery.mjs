@@ -1,5 +1,5 @@
-// npm run gallery: draws the images of docs/gallery.md with the built page and writes that document; and the thumbnails of
-// the presets.
+// npm run gallery [-- FIGURE ...]: draws the images of docs/gallery.md with the built page and writes that document; and the
+// thumbnails of the presets. With names of figures, only their images.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -23,6 +23,7 @@ prepare();
 publishModules();
 bundle();
 
+const wanted = process.argv.slice(2);
 const server = await preview({ root, logLevel: 'error' });
 const browser = await chromium.launch({
   executablePath: requireChromium(),
@@ -36,38 +37,47 @@ const figures = [];
 for (const { name, title, text, panels, whole = false } of FIGURES) {
   const drawn = [];
   for (const [index, [caption, link, line]] of panels.entries()) {
-    const { bytes, fragment } = await draw(link, line, { ...WINDOW, type: 'image/jpeg', clear: false, whole });
     const file = `${name}-${index + 1}.jpg`;
+    const sources = line ? await sourcesOf(link, line) : '';
+    drawn.push({ caption, file, fragment: `#v=1&${link}${sources}` });
+    if (wanted.length > 0 && !wanted.includes(name)) continue;
+    const bytes = await draw(link + sources, { ...WINDOW, type: 'image/jpeg', clear: false, whole });
     writeFileSync(join(FOLDER, file), bytes);
-    drawn.push({ caption, file, fragment });
     console.log(`${file}: ${caption}`);
   }
   figures.push({ title, text, panels: drawn });
 }
 writeFileSync(join(root, 'docs', 'gallery.md'), galleryText(figures));
-mkdirSync(THUMBNAILS, { recursive: true });
-await open('/?resolution=full&gpu=webgl');
-for (const id of await tab.evaluate(() => window.heatwalk.presets)) {
-  const { bytes } = await draw(`m=${id}&w=none`, undefined, {
-    ...THUMBNAIL,
-    type: 'image/webp',
-    clear: true,
-    whole: false,
-  });
-  writeFileSync(join(THUMBNAILS, `${id}.webp`), bytes);
-  console.log(`${id}.webp`);
-}
+if (wanted.length === 0) await drawThumbnails();
 await browser.close();
 await server.close();
 
-/** The image of a scene in a size and type, and the fragment of the scene's link. */
-async function draw(link, line, wanted) {
-  const address = `/?resolution=full&gpu=webgl#v=1&${link}`;
-  await open(`${address}&kiosk=1`);
-  const sources = line ? await tab.evaluate(sourcesUnder, { line, ...WINDOW }) : '';
-  if (sources) await open(`${address}&kiosk=1${sources}`);
-  const base64 = await tab.evaluate(picture, { ...wanted, quality: QUALITY });
-  return { bytes: Buffer.from(base64, 'base64'), fragment: `#v=1&${link}${sources}` };
+async function drawThumbnails() {
+  mkdirSync(THUMBNAILS, { recursive: true });
+  await open('/?resolution=full&gpu=webgl');
+  for (const id of await tab.evaluate(() => window.heatwalk.presets)) {
+    const image = { ...THUMBNAIL, type: 'image/webp', clear: true, whole: false };
+    writeFileSync(join(THUMBNAILS, `${id}.webp`), await draw(`m=${id}&w=none`, image));
+    console.log(`${id}.webp`);
+  }
+}
+
+/** The address of a scene. */
+function addressOf(link) {
+  return `/?resolution=full&gpu=webgl#v=1&${link}&kiosk=1`;
+}
+
+/** Sources under a line, for the link of a scene. */
+async function sourcesOf(link, line) {
+  await open(addressOf(link));
+  return tab.evaluate(sourcesUnder, { line, ...WINDOW });
+}
+
+/** The image of a scene in a size and type. */
+async function draw(link, image) {
+  await open(addressOf(link));
+  const base64 = await tab.evaluate(picture, { ...image, quality: QUALITY });
+  return Buffer.from(base64, 'base64');
 }
 
 async function open(address) {

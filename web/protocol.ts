@@ -390,6 +390,14 @@ export interface CurveDistances {
   corners: Float32Array;
 }
 
+/** Closed curves around handles. */
+export interface FoundLoops {
+  /** The shortest first. */
+  lengths: readonly ModelLength[];
+  /** #segments × 2 × 3: ends of the segments of all, as they are drawn. */
+  ends: Float32Array;
+}
+
 /** Which image is wanted on the surface, and where. */
 export interface DecalWish extends ExactSurface {
   /** Of its middle, a drawn triangle and weights of its corners. */

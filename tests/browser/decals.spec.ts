@@ -63,7 +63,7 @@ async function saved(page: Page): Promise<{ parts: Part[]; images: PNG[] }> {
     const { bufferView, count } = entry(root.accessors, index);
     const data = view(bufferView);
     return Array.from({ length: count }, (_, row) =>
-      Array.from({ length: width }, (_, k) => data.readFloatLE(4 * (width * row + k))),
+      Array.from({ length: width }, (__, k) => data.readFloatLE(4 * (width * row + k))),
     );
   };
   const parts = root.meshes.map(({ primitives }): Part => {

@@ -13,6 +13,7 @@ import {
 import { type Edges, rimmed } from '../view/layers';
 import type { Cells } from './cells';
 import type { Decals } from './decals';
+import type { Loops } from './loops';
 import type { Offsets } from './offsets';
 import { drawnIsolines } from './isolines';
 import type { Session } from './session';
@@ -40,6 +41,7 @@ export class Overlays {
   #cells: Promise<Cells> | undefined;
   #decals: Promise<Decals> | undefined;
   #offsets: Promise<Offsets> | undefined;
+  #loops: Promise<Loops> | undefined;
 
   constructor(session: Session) {
     this.#session = session;
@@ -101,7 +103,8 @@ export class Overlays {
       if (overlays.includes('cells')) this.#cells ??= import('./cells').then(({ Cells }) => new Cells(session));
       if (overlays.includes('curves'))
         this.#offsets ??= import('./offsets').then(({ Offsets }) => new Offsets(session));
-      const beside = [this.#cells, this.#offsets].map((one) => one?.then((shown) => shown.follow()));
+      if (overlays.includes('loops')) this.#loops ??= import('./loops').then(({ Loops }) => new Loops(session));
+      const beside = [this.#cells, this.#offsets, this.#loops].map((one) => one?.then((shown) => shown.follow()));
       beside.push(this.#lay());
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await this.#arrowsOf(engine, kind, field) : new Float32Array();

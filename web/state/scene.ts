@@ -35,13 +35,14 @@ export const OVERLAYS = [
   'isolines',
   'cells',
   'curves',
+  'loops',
   'heat',
   'distance',
 ] as const;
 /**
  * The inactive parts; the surface that joins the points of a cloud, in the place of these; edges of the mesh, boundary edges, places
  * where components meet, edges of the operator's triangles; curves of equal distance at the period of the stripes; what is nearest to
- * each source; the distance from curves with its sign;
+ * each source; the distance from curves with its sign; loops around handles;
  * arrows along the gradients of heat and of distance.
  */
 export type Overlay = (typeof OVERLAYS)[number];

@@ -46,6 +46,8 @@ pub enum Kind {
     Isolines,
     /// Where a plane cuts the surface: at 0 of the height over it.
     Girth,
+    /// Closed geodesics, their lengths as values.
+    Loops,
     /// Borders between cells, each between these two, and without a value.
     Borders(Vec<[u32; 2]>),
 }
@@ -94,6 +96,7 @@ impl Isolines {
         match &self.kind {
             Kind::Isolines => format!("isoline_{}", self.isolines[index].value),
             Kind::Girth => "girth".to_owned(),
+            Kind::Loops => format!("loop_{}", index + 1),
             Kind::Borders(cells) => format!("border_{}_{}", cells[index][0], cells[index][1]),
         }
     }

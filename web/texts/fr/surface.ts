@@ -47,6 +47,22 @@ export const SURFACE: Texts = {
     'Distance exacte à toute la courbe, avec un signe, en deux couleurs, et fichiers de ses parallèles.',
   'The curve and its offsets as DXF, OBJ, CSV or GLB, or as seen, as SVG or PDF.':
     'La courbe et ses parallèles en DXF, OBJ, CSV ou GLB, ou telles que vues, en SVG ou PDF.',
+  Loops: 'Boucles',
+  'Loops around handles': 'Boucles autour des anses',
+  'Closed curves that cannot shrink to a point, as short as they can be':
+    'Courbes fermées qui ne peuvent se réduire à un point, aussi courtes que possible',
+  'Save loops': 'Enregistrer les boucles',
+  'The loops around handles as curves': 'Les boucles autour des anses comme courbes',
+  'Loops are on surfaces alone.': 'Les boucles sont sur des surfaces seulement.',
+  '{0} loop.': '{0} boucle.',
+  '{0} loops.': '{0} boucles.',
+  'The shortest: {0}.': 'Les plus courtes : {0}.',
+  'The surface has no handle: all closed curves shrink to points.':
+    'La surface n’a pas d’anse : toute courbe fermée se réduit à un point.',
+  'Closed geodesics around each handle and through it, with their lengths.':
+    'Géodésiques fermées autour de chaque anse et à travers elle, avec leurs longueurs.',
+  'The loops as DXF, OBJ, CSV or GLB, or as seen, as SVG or PDF.':
+    'Les boucles en DXF, OBJ, CSV ou GLB, ou telles que vues, en SVG ou PDF.',
   'Images on the surface': 'Images sur la surface',
   Compass: 'Boussole',
   'Polar rings': 'Anneaux polaires',

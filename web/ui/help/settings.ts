@@ -27,6 +27,7 @@ export const SECTIONS: Record<string, string> = {
   style: 'gallery',
   measure: 'page#tapes',
   girth: 'page#girth',
+  loops: 'page#loops',
   charts: 'page#charts',
   display: 'page#materials',
   decals: 'page#images-on-the-surface',
@@ -68,6 +69,10 @@ export const SETTINGS: Record<string, Record<string, Words | Explanation>> = {
     Image: t('An image of the page that is laid on the model: along the surface, as a sticker.'),
     Size: t('Half of the longer side of the image, along the surface.'),
     Angle: t('By how much the image is turned counterclockwise; at 0° it stands upright.'),
+  },
+  loops: {
+    'Loops around handles': t('Closed geodesics around each handle and through it, with their lengths.'),
+    Loops: t('The loops as DXF, OBJ, CSV or GLB, or as seen, as SVG or PDF.'),
   },
   girth: {
     'Measure the girth': t('Shows the curves in which a plane cuts the surface, with their lengths.'),

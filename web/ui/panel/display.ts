@@ -23,12 +23,16 @@ const OVERLAY_WORDS: Record<Overlay, Words> = {
   isolines: t('Isolines'),
   cells: t('Cells'),
   curves: t('Distance from curves'),
+  loops: t('Loops around handles'),
   heat: t('Heat gradient'),
   distance: t('Distance gradient'),
 };
 /** Of these there is one at a time. */
 const ARROWS = ['heat', 'distance'] as const satisfies readonly Overlay[];
 type Arrows = (typeof ARROWS)[number] | 'none';
+
+/** Those that other sections have. */
+const ELSEWHERE: ReadonlySet<Overlay> = new Set(['cells', 'curves', 'loops']);
 
 const COLOR_BY_WORDS: Record<VertexField, Words> = {
   distance: t('distance'),
@@ -57,15 +61,13 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
   const lights = toggle(t('Lights of the file'), (on) => scene.edit({ lights: on ? 'file' : 'style' }));
   const legend = h('p', { class: 'quiet', role: 'status' });
   const without = (gone: readonly Overlay[]) => scene.state.overlays.filter((overlay) => !gone.includes(overlay));
-  const overlays = OVERLAYS.filter((overlay) => !isArrows(overlay) && overlay !== 'cells' && overlay !== 'curves').map(
-    (overlay) => {
-      const { element, show, bar } = toggle(OVERLAY_WORDS[overlay], (on) => {
-        const rest = without([overlay]);
-        scene.edit({ overlays: on ? [...rest, overlay] : rest });
-      });
-      return { overlay, element, show, bar };
-    },
-  );
+  const overlays = OVERLAYS.filter((overlay) => !isArrows(overlay) && !ELSEWHERE.has(overlay)).map((overlay) => {
+    const { element, show, bar } = toggle(OVERLAY_WORDS[overlay], (on) => {
+      const rest = without([overlay]);
+      scene.edit({ overlays: on ? [...rest, overlay] : rest });
+    });
+    return { overlay, element, show, bar };
+  });
   const arrows = radios<Arrows>(
     t('Arrows'),
     [['none', t('No arrows')], ...labelled(ARROWS, OVERLAY_WORDS)],

@@ -93,6 +93,12 @@ export function workspacePanel(
       sections: [
         { id: 'measure', title: t('Measure'), element: measuring.element, open: true },
         { id: 'girth', title: t('Girth'), element: girth, open: true },
+        {
+          id: 'loops',
+          title: t('Loops'),
+          element: async () => (await import('./loops')).loopsControls(session),
+          open: false,
+        },
       ],
     },
     ground: {

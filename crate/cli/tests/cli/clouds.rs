@@ -88,7 +88,8 @@ fn what_is_no_surface_is_refused_in_a_sentence() {
     };
     assert!(refuse("").contains("a.xyz is empty"));
     assert!(
-        refuse("1 2 3\n").contains("three points at least that are different and finite, and of the 1 here so many are: 1")
+        refuse("1 2 3\n")
+            .contains("three points at least that are different and finite, and of the 1 here so many are: 1")
     );
     assert!(refuse(&"1 2 3\n".repeat(9)).contains("of the 9 here so many are: 1"));
     assert!(refuse(&(0..9).map(|k| format!("{k} {k} 0\n")).collect::<String>()).contains("lie on lines"));

@@ -5,5 +5,6 @@ mod decals;
 mod distances;
 mod files;
 mod isolines;
+mod loops;
 mod offsets;
 mod surface;

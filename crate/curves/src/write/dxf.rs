@@ -19,12 +19,12 @@ const SPATIAL: u8 = 8;
 /// Flag of a VERTEX of a polyline in space.
 const SPATIAL_VERTEX: u8 = 32;
 
-/// Curves in space, one layer an isoline: `ISOLINE_2_0_5` is the third one, at 0.5; `GIRTH` that of a girth, `BORDER_0_4`
+/// Curves in space, one layer an isoline: `ISOLINE_2_0_5` is the third one, at 0.5; `GIRTH` that of a girth, `LOOP_1` that of a loop, `BORDER_0_4`
 /// that between these two cells.
 pub fn dxf(isolines: &Isolines, unit: Option<Unit>) -> Vec<u8> {
     let layer = |(index, value): (usize, f64)| match isolines.kind {
         Kind::Isolines => name(&format!("ISOLINE_{index}"), value),
-        Kind::Girth | Kind::Borders(_) => isolines.name(index).to_uppercase(),
+        Kind::Girth | Kind::Loops | Kind::Borders(_) => isolines.name(index).to_uppercase(),
     };
     let layers: Vec<String> = isolines.isolines.iter().map(|isoline| isoline.value).enumerate().map(layer).collect();
     let mut file = File::begin(&layers, unit);

@@ -15,6 +15,7 @@ pub fn obj(isolines: &Isolines, unit: Option<Unit>) -> Vec<u8> {
     let title = match isolines.kind {
         Kind::Isolines => "isolines of a distance",
         Kind::Girth => "girth of a surface",
+        Kind::Loops => "loops around the handles of a surface",
         Kind::Borders(_) => "borders of cells",
     };
     let mut text = format!("# {title} by Heatwalk\n{}", comment("#", unit));

@@ -9,7 +9,9 @@ import type {
   DrawPath,
   EdgeKind,
   Enclosure,
+  ExactSurface,
   FoundCells,
+  FoundLoops,
   FaceField,
   InnerDistanceFile,
   Isolines,
@@ -201,6 +203,16 @@ export async function curveDistances(wish: CurveWish): Promise<CurveDistances> {
 /** A file of the isolines of the distance from curves that was found last. */
 export async function offsetFile(file: CurveFile): Promise<Bytes> {
   return (await import('../offsets')).offsetFile(file, openMesh().shownAs);
+}
+
+/** Loops around the handles of a surface. */
+export async function handleLoops(wish: ExactSurface): Promise<FoundLoops> {
+  return (await import('../loops')).handleLoops(openSurface(), wish, openMesh().shownAs);
+}
+
+/** A file of the loops that were found last. */
+export async function loopFile(file: CurveFile): Promise<Bytes> {
+  return (await import('../loops')).loopFile(file, openMesh().shownAs);
 }
 
 /** One step of laying an image on the surface; null: it is not laid yet, and the next call goes on. */
