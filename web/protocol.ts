@@ -349,10 +349,10 @@ export interface CellWish extends ExactSurface {
   count: number;
 }
 
-/** Other places in the stead of some: moved once to the middles of their cells, or so many, as far apart as can be. */
+/** Other places in the stead of some: so many, as far apart as can be; these moved once to the middles of their cells; or their mean. */
 export interface SpreadWish extends ExactSurface {
   places: TrianglePlaces;
-  count: number | null;
+  wanted: number | 'middles' | 'mean';
 }
 
 /** Cells that were found. */

@@ -83,4 +83,7 @@ test('sources are spread, and relaxed in one step of undo', async ({ heatwalk, p
   expect(Math.abs(middle - side)).toBeLessThan(0.05 * side);
   await page.keyboard.press('Control+z');
   expect(new Set((await sources()).map((source) => 'vertex' in source && source.vertex))).toEqual(new Set(corners));
+  await page.getByRole('button', { name: 'Mean' }).click();
+  // The middle of the corners.
+  await expect.poll(async () => (await heatwalk.scene()).walker).toEqual({ vertex: vertex(N / 2, N / 2) });
 });

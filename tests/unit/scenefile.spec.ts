@@ -21,7 +21,7 @@ test('a scene is packed with its mesh and what that refers to, and nothing else'
   ];
   const packed = await packScene(LINK, { kind: 'files', mesh: 'farm/cow.obj', files });
   expect(await paths(packed)).toEqual(['farm/cow skin.mtl', 'farm/cow.obj', 'farm/maps/cow.png', 'heatwalk.json']);
-  expect(await sceneIn(packed)).toEqual({ link: LINK, mesh: 'farm/cow.obj' });
+  expect(await sceneIn(packed)).toEqual({ link: LINK, mesh: 'farm/cow.obj', images: [] });
   // Of an archive the same.
   const again = await packScene(LINK, { kind: 'archive', mesh: 'farm/cow.obj', archive: packed });
   expect(await paths(again)).toEqual(await paths(packed));
@@ -50,7 +50,17 @@ test('files are packed whatever their names are', async () => {
 test('a mesh that every page has is not packed', async () => {
   const packed = await packScene('v=1&m=bunny', null);
   expect(await paths(packed)).toEqual(['heatwalk.json']);
-  expect(await sceneIn(packed)).toEqual({ link: 'v=1&m=bunny', mesh: null });
+  expect(await sceneIn(packed)).toEqual({ link: 'v=1&m=bunny', mesh: null, images: [] });
+});
+
+test('images that lie on the surface come along', async () => {
+  const packed = await packScene('v=1&m=bunny', null, [file('file-0123456789abcdef', 'png'), file('__proto__', 'gif')]);
+  const { images = [] } = (await sceneIn(packed)) ?? {};
+  const found = await Promise.all(images.map(async ({ path, content }) => [path, await content.text()]));
+  expect(found.toSorted()).toEqual([
+    ['__proto__', 'gif'],
+    ['file-0123456789abcdef', 'png'],
+  ]);
 });
 
 test('other archives hold no scene, and a damaged one says what is wrong', async () => {

@@ -10,6 +10,8 @@ import { t } from '../texts';
 
 /** What tells a scene from any other archive. */
 const SCENE = 'heatwalk.json';
+/** Where the images that lie on the surface are. */
+const IMAGES = 'heatwalk-images/';
 const VERSION = 1;
 
 export interface SceneFile {
@@ -17,14 +19,22 @@ export interface SceneFile {
   link: string;
   /** Path of the mesh in the archive; null for one that every page has. */
   mesh: string | null;
+  /** Those that lie on the surface, of files. */
+  images: readonly InputFile[];
 }
 
-/** `input`: that of the mesh; null for one that every page has. */
-export async function packScene(link: string, input: MeshInput | null): Promise<Blob> {
+/** `input`: that of the mesh; null for one that every page has. `images`: of files, that lie on the surface. */
+export async function packScene(
+  link: string,
+  input: MeshInput | null,
+  images: readonly InputFile[] = [],
+): Promise<Blob> {
   const mesh = input && 'mesh' in input ? input.mesh : null;
   const manifest = strToU8(JSON.stringify({ heatwalk: VERSION, mesh, link }, null, 2));
   const files = input ? await filesOf(input) : new Map<string, Uint8Array>();
-  return zipped(new Map([[SCENE, manifest], ...files]));
+  const read = async ({ path, content }: InputFile) =>
+    [IMAGES + path, new Uint8Array(await content.arrayBuffer())] as const;
+  return zipped(new Map([[SCENE, manifest], ...files, ...(await Promise.all(images.map(read)))]));
 }
 
 /** Names are no keys of an object: `constructor` and `__proto__` are names like others. */
@@ -59,7 +69,9 @@ export async function sceneIn(content: Blob): Promise<SceneFile | null> {
     throw new Failure(t`its ${SCENE} was written by another version of the page; reload the page, and open it again`);
   if (manifest.mesh !== null && !archive.paths.includes(manifest.mesh))
     throw new Failure(t`its mesh ${manifest.mesh} is not in the archive; save the scene again`);
-  return { link: manifest.link, mesh: manifest.mesh };
+  const images = archive.paths.filter((path) => path.startsWith(IMAGES));
+  const image = (path: string) => ({ path: path.slice(IMAGES.length), content: new Blob([archive.read(path)]) });
+  return { link: manifest.link, mesh: manifest.mesh, images: images.map(image) };
 }
 
 function parsed(text: string): { heatwalk?: unknown; link?: unknown; mesh?: unknown } | null {

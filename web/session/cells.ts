@@ -1,5 +1,5 @@
 /** What is nearest to each source: asks for it, and shows it as colors with borders. Loaded when it is first wanted. */
-import type { CellWish, ExactSurface, FoundCells, Moment, OpenedMesh, Source } from '../protocol';
+import type { CellWish, ExactSurface, FoundCells, Moment, OpenedMesh, Source, SpreadWish } from '../protocol';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import { type Answer, isSameMoment } from '../solver/engine';
 import { hasCosts, openCost, isWeighted } from '../state/ground';
@@ -104,24 +104,24 @@ export function whyNoCells(
 }
 
 /**
- * Sources in the stead of the single ones: so many, each as far from those before as can be, or with null these moved once to the
- * middles of their cells. Null where there is no surface to ask.
+ * Sources in the stead of the single ones: so many, each as far from those before as can be; these moved once to the middles of their
+ * cells; or the one place that is their mean. Null where there is no surface to ask.
  */
-export async function spreadSources(session: Session, count: number | null): Promise<readonly Source[] | null> {
+export async function otherSources(session: Session, wanted: SpreadWish['wanted']): Promise<readonly Source[] | null> {
   const { engine, shown, scene } = session;
   if (!engine || !shown.value) return null;
   const { opened, answer } = shown.value;
   const asked = { engine, question: answer.question };
   const { sources } = scene.state;
   const places = sources.length > 0 ? placesOf(opened, sources) : { triangles: Uint32Array.of(0), weights: FIRST };
-  const numbers = await engine.inTurn.spread({ ...surfaceOf(opened, asked), places, count });
+  const numbers = await engine.inTurn.spread({ ...surfaceOf(opened, asked), places, wanted });
   if (session.engine !== engine || scene.state.sources !== sources) return null;
   return Array.from({ length: numbers.length / 4 }, (_, index) => {
     const face = entry(numbers, 4 * index);
     const weights: Vector = [1, 2, 3].map((k) => entry(numbers, 4 * index + k)) as unknown as Vector;
     const corner = weights.indexOf(1);
     const place = corner < 0 ? { face, weights } : { vertex: vertexOf(opened, 3 * face + corner) };
-    return withOffset(place, count === null ? (sources[index]?.offset ?? 0) : 0);
+    return withOffset(place, wanted === 'middles' ? (sources[index]?.offset ?? 0) : 0);
   });
 }
 

@@ -1,5 +1,6 @@
 /** Images of the user, kept in this browser for decals: a reload and the way back find them. */
 import { Failure } from '../error';
+import type { InputFile } from '../protocol';
 import { askStore } from './store';
 import { t } from '../texts';
 
@@ -14,6 +15,7 @@ const DATABASE = 'heatwalk-images';
 /** Of one image, and how many are kept. */
 const MOST_BYTES = 2 ** 25;
 const MOST_KEPT = 40;
+const SVG = 'image/svg+xml';
 /** Digits of the hash in the name. */
 const DIGITS = 16;
 
@@ -25,12 +27,17 @@ export async function keepImage(file: Blob, path: string): Promise<string> {
   if (file.size > MOST_BYTES) throw new Failure(t`An image can have up to ${MOST_BYTES / 2 ** 20} MiB.`);
   const bytes = await file.arrayBuffer();
   const name = `file-${await hashOf(bytes)}`;
-  const type = file.type || (/\.svg$/i.test(path) ? 'image/svg+xml' : '');
+  const type = file.type || (/\.svg$/i.test(path) ? SVG : '');
   given.set(name, new Blob([bytes], { type }));
   const image: StoredImage = { hash: name, time: Date.now(), type, bytes };
   // Where the browser keeps nothing, it is there for this visit.
   await put(image).catch(() => undefined);
   return name;
+}
+
+/** Keeps images of a scene that was saved. */
+export async function keepImages(files: readonly InputFile[]): Promise<void> {
+  for (const { path, content } of files) await keepImage(content, path);
 }
 
 /** An image by its name in a scene. */
@@ -42,6 +49,17 @@ export async function imageFile(name: string): Promise<Blob> {
   );
   if (!kept) throw new Failure(t('The image of this scene is not in this browser. Choose it again.'));
   return new Blob([kept.bytes], { type: kept.type });
+}
+
+/** Those with these names, as files that `keepImage` knows again; what this browser has not is left out. */
+export async function filesOfImages(names: readonly string[]): Promise<InputFile[]> {
+  const found = await Promise.all(
+    [...new Set(names)].map(async (name) => {
+      const content = await imageFile(name).catch(() => null);
+      return content ? [{ path: content.type === SVG ? `${name}.svg` : name, content }] : [];
+    }),
+  );
+  return found.flat();
 }
 
 async function put(image: StoredImage): Promise<void> {

@@ -121,7 +121,8 @@ export class Opener {
       return true;
     }
     if (!scene) return false;
-    const { mesh } = scene;
+    const { mesh, images } = scene;
+    if (images.length > 0) await (await import('./images')).keepImages(images);
     const { state } = this.#told(decodeLink(scene.link, startOf));
     if (state?.mesh.kind === 'preset') await this.preset(state.mesh.id, state);
     else if (state && mesh !== null)

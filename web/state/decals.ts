@@ -31,6 +31,11 @@ export const MOST_DECALS = 20;
 
 const IMAGE = new RegExp(`^(${DECAL_IMAGES.join('|')}|file-[0-9a-f]{16})$`);
 
+/** Whether an image is one of a file. */
+export function isOfFile(image: string): boolean {
+  return image.startsWith('file-');
+}
+
 /** Place, size, angle and image with commas between them, decals with semicolons; undefined where anything is no decal. */
 export const DECALS: Codec<readonly Decal[]> = {
   encode: (decals) =>

@@ -102,7 +102,7 @@ function drawn(name: DecalImage): ImageBitmap {
 async function decoded(file: Blob): Promise<ImageBitmap> {
   let image: ImageBitmap;
   try {
-    image = await createImageBitmap(file);
+    image = await (file.type === 'image/svg+xml' ? rendered(file) : createImageBitmap(file));
   } catch {
     throw new Failure(t('The browser cannot read this image. Save it as PNG or JPEG.'));
   }
@@ -113,6 +113,22 @@ async function decoded(file: Blob): Promise<ImageBitmap> {
   penOf(canvas).drawImage(image, 0, 0, canvas.width, canvas.height);
   image.close();
   return canvas.transferToImageBitmap();
+}
+
+/** What browsers do not decode without a document. */
+async function rendered(file: Blob): Promise<ImageBitmap> {
+  const address = URL.createObjectURL(file);
+  try {
+    const image = new Image();
+    image.src = address;
+    await image.decode();
+    const share = LONGEST / Math.max(image.naturalWidth, image.naturalHeight);
+    const canvas = new OffscreenCanvas(share * image.naturalWidth, share * image.naturalHeight);
+    penOf(canvas).drawImage(image, 0, 0, canvas.width, canvas.height);
+    return canvas.transferToImageBitmap();
+  } finally {
+    URL.revokeObjectURL(address);
+  }
 }
 
 function penOf(canvas: OffscreenCanvas): Pen {

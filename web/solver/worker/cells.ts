@@ -48,9 +48,14 @@ export async function cells(solver: wasm.Solver, wish: CellWish, { transform }: 
 export async function spread(solver: wasm.Solver, wish: SpreadWish): Promise<Float64Array> {
   const surface = await exactSurface(solver, wish);
   const { triangles, weights } = wish.places;
-  return wish.count === null
-    ? surface.relaxed(triangles, weights)
-    : surface.spread(triangles[0] ?? 0, weights.subarray(0, 3), wish.count);
+  switch (wish.wanted) {
+    case 'middles':
+      return surface.relaxed(triangles, weights);
+    case 'mean':
+      return surface.mean(triangles, weights);
+    default:
+      return surface.spread(triangles[0] ?? 0, weights.subarray(0, 3), wish.wanted);
+  }
 }
 
 export async function cellFile({ kind, towardEye, unit }: CurveFile, { transform }: ShownAs): Promise<Bytes> {

@@ -21,6 +21,9 @@ export const SURFACE: Texts = {
   Relax: 'Équilibrer',
   'Moves the sources to the middles of their cells, step by step':
     'Déplace les sources vers les milieux de leurs cellules, pas à pas',
+  Mean: 'Moyenne',
+  'Sends the walker to the mean of the sources: where their squared distances sum to least':
+    'Envoie le marcheur à la moyenne des sources : là où la somme de leurs distances au carré est la plus petite',
   'Save borders': 'Enregistrer les frontières',
   'The borders, where another source becomes the nearest one':
     'Les frontières, là où une autre source devient la plus proche',

@@ -1,9 +1,10 @@
 /** Which source is nearest: colors on the surface, a table of areas, and files of the borders. */
 import { Failure } from '../../error';
 import type { FoundCells } from '../../protocol';
-import { spreadSources, whyNoCells } from '../../session/cells';
+import { otherSources, whyNoCells } from '../../session/cells';
 import type { Session } from '../../session/session';
 import { colourOfCell } from '../../state/cells';
+import { sendWalker } from '../../state/edit';
 import { isWeighted } from '../../state/ground';
 import { threeDigits, withUnit } from '../../state/measures';
 import type { Overlay } from '../../state/scene';
@@ -50,18 +51,26 @@ export function cellsControls(session: Session): HTMLElement[] {
   const spread = button(t('Spread'), t('So many sources, each as far from those before as can be'), async () => {
     const wanted = Math.round(many.valueAsNumber);
     if (!(wanted >= 2 && wanted <= MOST_SPREAD)) throw new Failure(t`Spread 2 to ${count(MOST_SPREAD)} sources.`);
-    const sources = await spreadSources(session, wanted);
+    const sources = await otherSources(session, wanted);
     if (sources) scene.edit({ sources, sets: [], selected: -1 });
   });
   const relax = button(t('Relax'), t('Moves the sources to the middles of their cells, step by step'), async () => {
     const gesture = {};
     for (let round = 0; round < ROUNDS; round++) {
-      const sources = await spreadSources(session, null);
+      const sources = await otherSources(session, 'middles');
       if (!sources) return;
       scene.edit({ sources }, gesture);
     }
   });
-  const spreading = h('div', { class: 'linking' }, many, spread, relax);
+  const mean = button(
+    t('Mean'),
+    t('Sends the walker to the mean of the sources: where their squared distances sum to least'),
+    async () => {
+      const [place] = (await otherSources(session, 'mean')) ?? [];
+      if (place) sendWalker(scene, place);
+    },
+  );
+  const spreading = h('div', { class: 'linking' }, many, spread, relax, mean);
   const saving = savingCurves(session, {
     label: t('Borders'),
     button: t('Save borders'),
@@ -75,7 +84,8 @@ export function cellsControls(session: Session): HTMLElement[] {
     saving.hidden = cells.value === null;
     saving.inert = cells.value?.outdated === true;
     spreading.hidden = shown.value?.opened.interior !== null || isWeighted(shown.value.answer.question.ground);
-    relax.hidden = scene.state.sets.length > 0 || scene.state.sources.length < 2;
+    mean.hidden = scene.state.sources.length < 2;
+    relax.hidden = mean.hidden || scene.state.sets.length > 0;
     table.replaceChildren(...(cells.value ? [tableOf(session, cells.value)] : []));
   };
   cells.watch(show);

@@ -1,6 +1,6 @@
 //! Cells of sources.
 
-use heatwalk::{CellMap, CellSearch, Place, SampleCount, Source, farthest_samples, go_on, relaxed};
+use heatwalk::{CellMap, CellSearch, Place, SampleCount, Source, farthest_samples, go_on, mean, relaxed};
 use heatwalk_bindings::{Failure, Result, transform};
 use wasm_bindgen::prelude::*;
 
@@ -97,6 +97,17 @@ impl ExactSurface {
         let geometry = self.geometry();
         let samples = farthest_samples(geometry, first, SampleCount::Exactly(count as usize), &mut go_on)?;
         Ok(self.numbers(samples.vertices.into_iter().map(Place::Vertex)))
+    }
+
+    /// The place whose squared distances from places sum to least, as four numbers like those of [`Self::spread`].
+    ///
+    /// # Errors
+    /// As [`CellFinder::begin`], for no place, and for places that no path joins.
+    pub fn mean(&self, triangles: &[u32], weights: &[f64]) -> Result<Vec<f64>> {
+        let place = |(&triangle, weights): (&u32, &[f64])| Ok((self.place(triangle, weights)?, 1.0));
+        let places = triangles.iter().zip(weights.chunks(3)).map(place).collect::<Result<Vec<_>>>()?;
+        let found = mean(self.geometry(), &places, &mut go_on)?;
+        Ok(self.numbers(std::iter::once(found.place)))
     }
 
     /// Places moved once to the middles of their cells, as numbers like those of [`Self::spread`].
