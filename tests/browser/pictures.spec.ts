@@ -46,6 +46,8 @@ const OTHERS: Pictures = [
   ['error', `m=bunny&look=scientific&paint=error&${VIEW}`],
   ['crowd', `m=bunny&look=candy&crowd=300&method=exact&${VIEW}`],
   ['cells', `m=bunny&s=746,896,100&w=none&look=zebra&method=exact&show=cells&${VIEW}`],
+  ['sides', `m=bunny&s=746&sets=loop:746-896-100&w=none&look=zebra&method=exact&show=curves,loops&${VIEW}`],
+  ['images', `m=bunny&w=none&look=candy&method=exact&decal=900,2,20,polar;100,1.5,0,compass&${VIEW}`],
   ['unreachable', `m=teapot&look=porcelain&s=420&cam=0.4,0.4,3,0,0,0`],
   ['ground', `m=hike&w=none&cam=0.5,0.75,2.7,0,0,0`],
   ['walls', `m=village&w=none&slope=1&cam=0.35,0.75,2.7,0,0,0`],
