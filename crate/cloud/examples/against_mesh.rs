@@ -1,5 +1,6 @@
 //! How far exact distances on the surface of a mesh's vertices alone are from those on the mesh:
-//! `cargo run --release -p heatwalk-cloud --example against_mesh -- MESH [NOISE]`, NOISE as a share of the mean edge.
+//! `cargo run --release -p heatwalk-cloud --example against_mesh -- MESH [NOISE] [normals]`, NOISE as a share of the mean edge; with the
+//! normals of the mesh at its vertices, or without.
 
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -8,7 +9,7 @@ use std::time::Instant;
 
 use glam::DVec3;
 use heatwalk::exact::exact_distance;
-use heatwalk::{InputVertex, RelativeError, Surface, go_on};
+use heatwalk::{InputVertex, RelativeError, Soup, Surface, go_on};
 use heatwalk_cloud::Cloud;
 use heatwalk_model::io;
 use rand::{RngExt, SeedableRng};
@@ -17,7 +18,8 @@ use rand_xoshiro::SplitMix64;
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
     let name = arguments.next().ok_or("give a mesh file")?;
-    let noise: f64 = arguments.next().map_or(Ok(0.0), |noise| noise.parse())?;
+    let (words, numbers): (Vec<_>, Vec<_>) = arguments.partition(|argument| argument == "normals");
+    let noise: f64 = numbers.first().map_or(Ok(0.0), |noise| noise.parse())?;
     let soup = io::read(&name, &std::fs::read(&name)?, &|_| None)?.soup;
     let mesh = Arc::new(Surface::build(&soup)?);
     let mut random = SplitMix64::seed_from_u64(1);
@@ -27,7 +29,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let start = Instant::now();
     let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
-    let cloud = Cloud::join("cloud", points, threads)?;
+    let normals = if words.is_empty() { Vec::new() } else { normals(&soup) };
+    let cloud = Cloud::join_oriented("cloud", points, &normals, threads)?;
     println!("{}, in {:.2} s", cloud.report, start.elapsed().as_secs_f64());
     let joined = Arc::new(Surface::build(&cloud.soup)?);
     println!(
@@ -47,4 +50,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let unreached = true_ones.iter().zip(&found).filter(|(known, found)| known.is_finite() && found.is_infinite());
     println!("{} points not reached that are on the mesh", unreached.count());
     Ok(())
+}
+
+/// At each vertex, the mean of those of the triangles around by their areas.
+fn normals(soup: &Soup) -> Vec<DVec3> {
+    let mut normals = vec![DVec3::ZERO; soup.positions.len()];
+    for corners in &soup.triangles {
+        let [a, b, c] = corners.map(|vertex| soup.positions[vertex as usize]);
+        corners.iter().for_each(|&vertex| normals[vertex as usize] += (b - a).cross(c - a));
+    }
+    normals
 }

@@ -57,14 +57,15 @@ impl<'a> Fans<'a> {
     /// are nearer to each other than this cosine tells. Triangles agree in orientation. Returns whether it does.
     pub fn take_unless_folded(&mut self, triangle: [u32; 3], cosine: f64) -> bool {
         let own = self.normal(triangle);
-        let fits = (0..3).all(|k| {
-            let mut beside = self.beside(triangle, k);
-            match (beside.next(), beside.next()) {
-                (None, _) => true,
-                (Some(other), None) => own.dot(self.normal(other)) > cosine,
-                _ => false,
-            }
-        });
+        let fits = own != DVec3::ZERO
+            && (0..3).all(|k| {
+                let mut beside = self.beside(triangle, k);
+                match (beside.next(), beside.next()) {
+                    (None, _) => true,
+                    (Some(other), None) => own.dot(self.normal(other)) > cosine,
+                    _ => false,
+                }
+            });
         if fits {
             let angles = [0, 1, 2].map(|k| self.angle(triangle, k));
             self.add(triangle, angles);

@@ -24,6 +24,7 @@ mod fans;
 mod holes;
 mod model;
 mod neighbours;
+mod outward;
 mod plane;
 mod sides;
 mod star;
@@ -45,6 +46,7 @@ pub use model::{join, read_within};
 use crate::circle::circumradius;
 use crate::fans::Fans;
 use crate::neighbours::Neighbours;
+use crate::outward::Outward;
 use crate::plane::Plane;
 use crate::sides::{orient, without_flaps};
 use crate::star::Stars;
@@ -94,12 +96,25 @@ impl Cloud {
     /// Joins points, on so many threads, with the same result to the last bit however many. `name`: of the part.
     ///
     /// # Errors
+    /// As [`Self::join_oriented`].
+    ///
+    /// # Panics
+    /// As [`Self::join_oriented`].
+    pub fn join(name: &str, points: Vec<DVec3>, threads: NonZeroUsize) -> Result<Self> {
+        Self::join_oriented(name, points, &[], threads)
+    }
+
+    /// The same for points whose surface has these normals there (`#P × 3`, of any length, zero where none is known; or none at all): they tell
+    /// apart the sides of what is as thin as points are apart, and which side is outside.
+    ///
+    /// # Errors
     /// [`Error::TooFew`] for less than three different finite points; [`Error::Line`] where all of them lie on a line;
     /// [`Error::OutOfMemory`].
     ///
     /// # Panics
-    /// Where there are no threads, as on wasm32, and more than one is asked for.
-    pub fn join(name: &str, points: Vec<DVec3>, threads: NonZeroUsize) -> Result<Self> {
+    /// Where there are no threads, as on wasm32, and more than one is asked for; where there are other than no or `#P` normals.
+    pub fn join_oriented(name: &str, points: Vec<DVec3>, normals: &[DVec3], threads: NonZeroUsize) -> Result<Self> {
+        assert!(normals.is_empty() || normals.len() == points.len(), "one normal a point");
         if !has_room(&[BYTES_PER_POINT * points.len() as u64]) {
             return Err(Error::OutOfMemory { points: points.len() });
         }
@@ -108,8 +123,9 @@ impl Cloud {
             return Err(Error::TooFew { points: points.len(), different: different.len() });
         }
         let positions: Vec<DVec3> = different.iter().map(|&point| points[point as usize]).collect();
+        let outward = Outward::new(&different, &twins, normals);
         let neighbours = Neighbours::new(&positions);
-        let (planes, found) = stars(&positions, &neighbours, threads);
+        let (planes, found) = stars(&positions, &outward, &neighbours, threads);
         if found.is_empty() {
             return Err(Error::Line { points: points.len() });
         }
@@ -118,12 +134,12 @@ impl Cloud {
             fans.take(triangle);
         }
         let mut fans = Fans::of(&positions, &planes, &without_flaps(&fans.triangles, positions.len()));
-        let holes = orient(&mut fans.triangles, &positions, &planes);
+        let holes = orient(&mut fans.triangles, &positions, &planes, &outward);
         holes::fill(&mut fans, &positions, &planes, holes);
         let mut triangles = fans.triangles;
         let alone = unjoined(&triangles, positions.len());
         strays::attach(&mut triangles, &positions, &planes, &neighbours, &alone);
-        let boundary_loops = orient(&mut triangles, &positions, &planes).len();
+        let boundary_loops = orient(&mut triangles, &positions, &planes, &outward).len();
         let count = triangles.len();
         triangles.as_flattened_mut().iter_mut().for_each(|vertex| *vertex = different[*vertex as usize]);
         let alone = unjoined(&triangles, points.len());
@@ -166,12 +182,18 @@ fn unjoined(triangles: &[[u32; 3]], points: usize) -> Vec<u32> {
 }
 
 /// The planes of all points, and the triangles that they find around them, each as often as it is found, corners ascending.
-fn stars(positions: &[DVec3], neighbours: &Neighbours, threads: NonZeroUsize) -> (Vec<Plane>, Vec<[u32; 3]>) {
+fn stars(
+    positions: &[DVec3],
+    outward: &Outward,
+    neighbours: &Neighbours,
+    threads: NonZeroUsize,
+) -> (Vec<Plane>, Vec<[u32; 3]>) {
     let found = parallel::map(parallel::ranges(positions.len(), threads), |range| {
         let mut stars = Stars::default();
         let (mut planes, mut triangles) = (Vec::with_capacity(range.len()), Vec::new());
         for point in range.map(|point| point as u32) {
-            let (plane, around) = stars.around(neighbours, positions, point).unwrap_or((Plane::NONE, Vec::new()));
+            let (plane, around) =
+                stars.around(neighbours, positions, outward, point).unwrap_or((Plane::NONE, Vec::new()));
             planes.push(plane);
             for [a, b] in around {
                 let mut triangle = [point, a, b];

@@ -1,12 +1,15 @@
 //! Points of files, and the surface that takes their place in a model.
 
 use std::num::NonZeroUsize;
+use std::sync::Arc;
 
+use glam::DVec3;
 use heatwalk_model::io::{self, Budget, Resources};
-use heatwalk_model::{Model, Result};
+use heatwalk_model::{Appearance, Model, Result};
 use heatwalk_surface::{Soup, WarningCode};
 
-use crate::{Cloud, Report, text};
+use crate::text::{self, Points};
+use crate::{Cloud, Report};
 
 /// Reads a mesh, or points without faces, of a format of meshes or of lines of text: the model then has no triangles, and all its vertices are
 /// points.
@@ -15,8 +18,10 @@ use crate::{Cloud, Report, text};
 /// As [`io::read_mesh_or_points_within`] and [`text::read_points`].
 pub fn read_within(budget: &Budget, name: &str, bytes: &[u8], resources: Resources<'_>) -> Result<Model> {
     if text::names_points(name) {
-        let positions = text::read_points(name, bytes)?;
-        return Ok(Soup { positions, ..Soup::default() }.into());
+        let Points { positions, normals } = text::read_points(name, bytes)?;
+        let normals = normals.iter().map(|normal| normal.normalize_or_zero().as_vec3()).collect();
+        let appearance = Arc::new(Appearance { normals, ..Appearance::default() });
+        return Ok(Model { appearance, ..Soup { positions, ..Soup::default() }.into() });
     }
     io::read_mesh_or_points_within(budget, name, bytes, resources)
 }
@@ -30,7 +35,8 @@ pub fn join(name: &str, model: &mut Model, threads: NonZeroUsize) -> crate::Resu
         return Ok(None);
     }
     let points = std::mem::take(&mut model.soup.positions);
-    let Cloud { soup, report } = Cloud::join(name, points, threads)?;
+    let normals: Vec<DVec3> = model.appearance.normals.iter().map(|normal| normal.as_dvec3()).collect();
+    let Cloud { soup, report } = Cloud::join_oriented(name, points, &normals, threads)?;
     let Soup { positions, triangles, parts, .. } = soup;
     model.soup = Soup { positions, triangles, parts, ..std::mem::take(&mut model.soup) };
     // Points were not.

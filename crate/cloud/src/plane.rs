@@ -26,17 +26,18 @@ impl Plane {
 
     /// By the offsets of neighbours, the nearest first; none where they lie on a line.
     pub fn of(offsets: &[DVec3], fall_off: f64) -> Option<Self> {
-        let nearest = &offsets[..offsets.len().min(NEAREST)];
-        let spacing = nearest.iter().map(|offset| offset.length()).sum::<f64>() / nearest.len() as f64;
-        if nearest.is_empty() {
-            return None;
-        }
+        let spacing = spacing(offsets)?;
         let weight = |offset: DVec3| (-0.5 * (offset.length() / (fall_off * spacing)).powi(2)).exp();
         let first = normal(offsets.iter().map(|&offset| (offset / spacing, weight(offset))))?;
         let is_beside = |offset: &&DVec3| first.dot(**offset).abs() <= STEEP * offset.length();
         let beside = offsets.iter().filter(is_beside).map(|&offset| (offset / spacing, weight(offset)));
         let normal = normal(beside).unwrap_or(first);
         Some(Self { normal, spacing })
+    }
+
+    /// Square to a unit normal, at a point with neighbours at these offsets, the nearest first; none where there are none.
+    pub fn square_to(normal: DVec3, offsets: &[DVec3]) -> Option<Self> {
+        Some(Self { normal, spacing: spacing(offsets)? })
     }
 
     /// Where offsets lie in the plane, as far from the origin as in space.
@@ -58,6 +59,13 @@ impl Plane {
         let axis = self.normal.any_orthonormal_vector();
         [axis, self.normal.cross(axis)]
     }
+}
+
+/// The mean distance to the nearest neighbours; none where there are none.
+fn spacing(offsets: &[DVec3]) -> Option<f64> {
+    let nearest = &offsets[..offsets.len().min(NEAREST)];
+    let sum: f64 = nearest.iter().map(|offset| offset.length()).sum();
+    (!nearest.is_empty()).then(|| sum / nearest.len() as f64)
 }
 
 /// The direction in which weighted offsets and the origin spread least; none where they do so in two directions.

@@ -7,17 +7,19 @@ use glam::DVec3;
 use heatwalk_base::csr::NONE;
 use heatwalk_base::union_find::UnionFind;
 
+use crate::outward::Outward;
 use crate::plane::Plane;
 
 /// Triangles of the largest patch that is left out where it touches a larger one.
 const FEW: usize = 8;
 
-/// Turns triangles so that they agree with their neighbours where all can, and each component so that it encloses a positive volume.
+/// Turns triangles so that they agree with their neighbours where all can, and each component so that it faces along the normals that are
+/// known, else so that it encloses a positive volume.
 /// Returns the loops of sides that one triangle has, each by its points: where several begin at one point, the next one is the first
 /// counterclockwise in its plane.
-pub fn orient(triangles: &mut [[u32; 3]], positions: &[DVec3], planes: &[Plane]) -> Vec<Vec<u32>> {
+pub fn orient(triangles: &mut [[u32; 3]], positions: &[DVec3], planes: &[Plane], outward: &Outward) -> Vec<Vec<u32>> {
     let mut sides = Sides::new(triangles);
-    sides.orient(triangles, positions);
+    sides.orient(triangles, positions, outward);
     sides.boundary_loops(triangles, |[before, at, after], next| {
         let [from, behind, to] = [before, after, next].map(|vertex| {
             let offset = positions[vertex as usize] - positions[at as usize];
@@ -79,7 +81,7 @@ impl Sides {
         Some(self.0[side as usize]).filter(|&other| other != NONE)
     }
 
-    fn orient(&mut self, triangles: &mut [[u32; 3]], positions: &[DVec3]) {
+    fn orient(&mut self, triangles: &mut [[u32; 3]], positions: &[DVec3], outward: &Outward) {
         let mut is_seen = vec![false; triangles.len()];
         let mut component = Vec::new();
         for start in 0..triangles.len() {
@@ -108,7 +110,10 @@ impl Sides {
                 let [a, b, c] = triangles[*triangle as usize].map(|vertex| positions[vertex as usize] - center);
                 a.dot(b.cross(c))
             };
-            if component.iter().map(volume).sum::<f64>() < 0.0 {
+            let along: f64 =
+                component.iter().map(|&triangle| outward.along(triangles[triangle as usize], positions)).sum();
+            let outside = if along == 0.0 { component.iter().map(volume).sum() } else { along };
+            if outside < 0.0 {
                 component.iter().for_each(|&triangle| self.flip(triangles, triangle));
             }
         }

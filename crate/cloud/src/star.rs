@@ -7,6 +7,7 @@ use std::num::NonZeroUsize;
 use glam::{DVec2, DVec3};
 
 use crate::neighbours::{Near, Neighbours};
+use crate::outward::Outward;
 use crate::plane::{Plane, STEEPEST};
 
 /// Neighbours that planes are made of, as in Sharp and Crane (2020).
@@ -50,21 +51,25 @@ impl Stars {
         &mut self,
         neighbours: &Neighbours,
         positions: &[DVec3],
+        outward: &Outward,
         point: u32,
     ) -> Option<(Plane, Vec<[u32; 2]>)> {
         let place = positions[point as usize];
         let mut count = NEIGHBOURS;
         loop {
             neighbours.nearest(place, count.saturating_add(1), &mut self.near);
-            self.near.retain(|&(_, other)| other != point);
+            let is_all = count >= MOST_NEIGHBOURS || self.near.len() <= count.get();
+            self.near.retain(|&(_, other)| other != point && outward.is_same_side(point, other));
             self.offsets.clear();
             self.offsets.extend(self.near.iter().map(|&(_, other)| positions[other as usize] - place));
             let mut best: Option<(f64, bool, Plane, Vec<[u32; 2]>)> = None;
-            for fall_off in FALL_OFFS {
-                let Some(mut plane) = Plane::of(&self.offsets[..self.offsets.len().min(NEIGHBOURS.get())], fall_off)
-                else {
-                    continue;
+            for fall_off in [None].into_iter().chain(FALL_OFFS.map(Some)) {
+                let nearest = &self.offsets[..self.offsets.len().min(NEIGHBOURS.get())];
+                let plane = match fall_off {
+                    None => outward.normal(point).and_then(|normal| Plane::square_to(normal, nearest)),
+                    Some(fall_off) => Plane::of(nearest, fall_off),
                 };
+                let Some(mut plane) = plane else { continue };
                 let mut is_final = self.clip(&plane);
                 for _ in 0..ROUNDS {
                     let Some(better) = self.refined(&plane, positions, place) else { break };
@@ -79,7 +84,6 @@ impl Stars {
                     break;
                 }
             }
-            let is_all = count >= MOST_NEIGHBOURS || self.near.len() < count.get();
             match best {
                 Some((_, is_final, plane, triangles)) if is_final || is_all => return Some((plane, triangles)),
                 None if is_all => return None,

@@ -4,10 +4,11 @@ use std::f64::consts::PI;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
-use glam::{DVec3, dvec3};
+use glam::{DVec3, Vec3, dvec3};
 use heatwalk::exact::exact_distance;
 use heatwalk::{InputVertex, RelativeError, Soup, Surface, go_on};
-use heatwalk_cloud::{Cloud, Error};
+use heatwalk_cloud::{Cloud, Error, join, read_within};
+use heatwalk_model::io::Budget;
 use heatwalk_shapes as shapes;
 use rand::{RngExt, SeedableRng};
 use rand_xoshiro::SplitMix64;
@@ -214,4 +215,84 @@ fn random_points_on_a_sphere_are_joined_to_one() {
     let error = RelativeError::between(&distances(&cloud.soup), &known).mean;
     // Chords are shorter than arcs.
     assert!(error < 0.01, "{error}");
+}
+
+/// A plate with points on both sides, so many spacings thick, round at its rim, and the normals there.
+fn plate(cells: i32, thickness: f64) -> (Vec<DVec3>, Vec<DVec3>) {
+    let side = |sign: f64| {
+        let points = sheet(cells, |_, _| true, |_, _| 0.0);
+        points.into_iter().map(move |point| {
+            let middle = dvec3(0.5, 0.5, 0.0);
+            let is_rim = (point - middle).abs().max_element() > 0.5 - 1e-9;
+            let aside = if is_rim { (point - middle).normalize() } else { DVec3::ZERO };
+            let lift = 0.5 * sign * thickness / f64::from(cells);
+            (point + dvec3(0.0, 0.0, lift), (aside + sign * DVec3::Z).normalize())
+        })
+    };
+    side(1.0).chain(side(-1.0)).unzip()
+}
+
+#[test]
+fn normals_tell_the_sides_of_what_is_thinner_than_points_are_apart() {
+    let (points, normals) = plate(20, 0.5);
+    let threads = NonZeroUsize::MIN;
+    let cloud = Cloud::join_oriented("plate", points.clone(), &normals, threads).expect("a surface");
+    assert_eq!((cloud.report.unjoined_points, cloud.report.boundary_loops), (0, 0), "{}", cloud.report);
+    let surface = Surface::build(&cloud.soup).expect("a surface");
+    assert_eq!((surface.report().euler_characteristic, surface.report().flipped_faces), (2, 0));
+    // No way leads through the plate.
+    let middle = 10 * 21 + 10;
+    let surface = Arc::new(surface);
+    let distances = exact_distance(&surface, &[InputVertex(middle)], &mut go_on).expect("distances");
+    let around = surface.to_inputs(&distances, f64::INFINITY)[21 * 21 + middle as usize];
+    assert!((around - 1.025).abs() < 0.01, "{around}");
+    // Turned inward, they turn the surface inside out.
+    let inward: Vec<DVec3> = normals.iter().map(|&normal| -2.0 * normal).collect();
+    let turned = Cloud::join_oriented("plate", points.clone(), &inward, threads).expect("a surface");
+    let volume = |soup: &Soup| -> f64 {
+        let six = |corners: &[u32; 3]| {
+            let [a, b, c] = corners.map(|vertex| soup.positions[vertex as usize]);
+            a.dot(b.cross(c))
+        };
+        soup.triangles.iter().map(six).sum::<f64>() / 6.0
+    };
+    assert!((volume(&cloud.soup) - 0.025).abs() < 1e-3, "{}", volume(&cloud.soup));
+    assert!((volume(&turned.soup) + 0.025).abs() < 1e-3, "{}", volume(&turned.soup));
+    // Without them, sides are mixed.
+    let mixed = joined(&points);
+    assert!((volume(&mixed.soup) - 0.025).abs() > 1e-3 || mixed.report.boundary_loops > 0, "{}", mixed.report);
+    // None known is as none given.
+    let unknown = Cloud::join_oriented("plate", points, &vec![DVec3::ZERO; normals.len()], threads).expect("a surface");
+    assert_eq!(unknown.soup, Soup { parts: unknown.soup.parts.clone(), ..mixed.soup });
+}
+
+#[test]
+fn normals_of_a_file_are_those_of_points_alone() {
+    let file = |faces: &str| {
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\n\
+             property float ny\nproperty float nz\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n\
+             0 0 0 0 0 -2\n1 0 0 0 0 -1\n1 1 0 0 0 -1\n0 1 0 0 0 -1\n{faces}",
+            faces.lines().count()
+        )
+    };
+    let read = |name: &str, text: &str| {
+        let budget = Budget::of_file(text.len());
+        read_within(&budget, name, text.as_bytes(), &|_| None).expect("a model")
+    };
+    let mut cloud = read("a.ply", &file(""));
+    assert_eq!(cloud.appearance.normals, [-Vec3::Z; 4]);
+    let mut text = read("a.xyz", "0 0 0 0 0 -1\n1 0 0 0 0 -1\n1 1 0 0 0 -1\n0 1 0 0 0 -1\n");
+    assert_eq!(text.appearance.normals, [-Vec3::Z; 4]);
+    for model in [&mut cloud, &mut text] {
+        let report = join("a", model, NonZeroUsize::MIN).expect("a surface").expect("of points");
+        assert_eq!((report.triangles, report.boundary_loops), (2, 1));
+        for corners in &model.soup.triangles {
+            let [a, b, c] = corners.map(|vertex| model.soup.positions[vertex as usize]);
+            assert!((b - a).cross(c - a).z < 0.0, "the file says that below is outside");
+        }
+    }
+    let mut mesh = read("a.ply", &file("4 0 1 2 3\n"));
+    assert!(mesh.appearance.normals.is_empty());
+    assert_eq!(join("a", &mut mesh, NonZeroUsize::MIN).expect("a mesh"), None);
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use heatwalk_surface::{Attribute, Soup, Unit, UnitRule, WarningCode, Warnings};
 
 use super::budget::Budget;
@@ -87,6 +87,7 @@ fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
     };
     let mut positions: Vec<DVec3> = Vec::new();
     let mut colors: Vec<[u16; 4]> = Vec::new();
+    let mut normals: Vec<Vec3> = Vec::new();
     let mut attributes: Vec<Attribute> = Vec::new();
     let mut polygons = Polygons::new(budget);
     let mut warnings = Warnings::default();
@@ -107,6 +108,7 @@ fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
             let place = || format!("{} {index}", element.name);
             let mut position = [0.0; 3];
             let mut color = [0; 4];
+            let mut normal = [0.0; 3];
             let mut further = attributes.iter_mut();
             for (column, property) in element.properties.iter().enumerate() {
                 let broken = |found: String| {
@@ -121,9 +123,13 @@ fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
                 match property.kind {
                     Kind::Scalar(scalar) => {
                         let value = body.next(scalar).map_err(broken)?;
-                        if let Role::Vertex { axes, channels } = role {
+                        if let Role::Vertex { axes, upright, channels } = role {
                             if let Some(axis) = axes.iter().position(|&axis| axis == column) {
                                 position[axis] = value;
+                            } else if let Some(upright) = upright
+                                && let Some(axis) = upright.iter().position(|&axis| axis == column)
+                            {
+                                normal[axis] = value as f32;
                             } else if let Some(channels) = channels
                                 && let Some(channel) = channels.iter().position(|&channel| channel == Some(column))
                             {
@@ -156,8 +162,11 @@ fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
                     }
                 }
             }
-            if let Role::Vertex { channels, .. } = role {
+            if let Role::Vertex { upright, channels, .. } = role {
                 budget.push(&mut positions, position.into())?;
+                if upright.is_some() {
+                    budget.push(&mut normals, Vec3::from(normal).normalize_or_zero())?;
+                }
                 if let Some([.., alpha]) = channels {
                     color[ALPHA] = if alpha.is_some() { color[ALPHA] } else { u16::MAX };
                     budget.push(&mut colors, color)?;
@@ -176,7 +185,9 @@ fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
     let triangles = polygons.triangulate_all(&positions, &mut warnings, place)?;
     let soup = Soup { attributes, unit, warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) };
     let colors = if colors.len() == soup.positions.len() { colors } else { Vec::new() };
-    Ok(Model { appearance: Arc::new(Appearance { colors, ..Appearance::default() }), ..soup.into() })
+    // Faces tell how they are seen; of points alone nothing else tells which side is outside.
+    let normals = if soup.triangles.is_empty() { normals } else { Vec::new() };
+    Ok(Model { appearance: Arc::new(Appearance { colors, normals, ..Appearance::default() }), ..soup.into() })
 }
 
 const ALPHA: usize = 3;
@@ -210,9 +221,10 @@ fn channel_value(value: f64, scalar: Scalar, channel: usize) -> u16 {
 /// What an element means to a mesh, with the columns that matter.
 #[derive(Clone, Copy)]
 enum Role {
-    /// Columns of x, y and z, and of red, green, blue and alpha where there are colors.
+    /// Columns of x, y and z, those of normals where there are any, and of red, green, blue and alpha where there are colors.
     Vertex {
         axes: [usize; 3],
+        upright: Option<[usize; 3]>,
         channels: Option<[Option<usize>; 4]>,
     },
     Face(usize),
@@ -240,7 +252,11 @@ impl Role {
                 (Some(x), Some(y), Some(z)) => {
                     let channels = ["red", "green", "blue", "alpha"].map(scalar);
                     let has_color = channels[..ALPHA].iter().all(Option::is_some);
-                    Ok(Self::Vertex { axes: [x, y, z], channels: has_color.then_some(channels) })
+                    let upright = match ["nx", "ny", "nz"].map(scalar) {
+                        [Some(x), Some(y), Some(z)] => Some([x, y, z]),
+                        _ => None,
+                    };
+                    Ok(Self::Vertex { axes: [x, y, z], upright, channels: has_color.then_some(channels) })
                 }
                 _ => Err(missing("x, y and z")),
             },
