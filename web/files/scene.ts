@@ -32,9 +32,11 @@ export async function packScene(
   const mesh = input && 'mesh' in input ? input.mesh : null;
   const manifest = strToU8(JSON.stringify({ heatwalk: VERSION, mesh, link }, null, 2));
   const files = input ? await filesOf(input) : new Map<string, Uint8Array>();
-  const read = async ({ path, content }: InputFile) =>
-    [IMAGES + path, new Uint8Array(await content.arrayBuffer())] as const;
-  return zipped(new Map([[SCENE, manifest], ...files, ...(await Promise.all(images.map(read)))]));
+  return zipped(new Map([[SCENE, manifest], ...files, ...(await Promise.all(images.map(packedImage)))]));
+}
+
+async function packedImage({ path, content }: InputFile): Promise<[string, Uint8Array]> {
+  return [IMAGES + path, new Uint8Array(await content.arrayBuffer())];
 }
 
 /** Names are no keys of an object: `constructor` and `__proto__` are names like others. */
