@@ -25,7 +25,8 @@ const BOUNDARY: &str = "boundary";
 /// Curves as sources.
 #[derive(Args)]
 pub struct Curves {
-    /// Source: a curve along shortest paths from place to place, each as for --source, apart by blanks; or boundary, which is all boundaries.
+    /// Source: a curve along shortest paths from place to place, each as for --source, apart by blanks; or boundary, which is all boundaries, of tetrahedra
+    /// all around.
     /// Distances are from all of its points. May be repeated
     #[arg(long = "curve", value_name = "P P...|boundary", conflicts_with_all = ["sources", "lines"], group = "open")]
     pub curves: Vec<Course>,
@@ -104,6 +105,11 @@ impl Curves {
     /// Whether there is any.
     pub fn are_given(&self) -> bool {
         !self.curves.is_empty() || !self.curve_files.is_empty()
+    }
+
+    /// Whether they are all boundaries, and nothing else.
+    pub fn are_boundaries(&self) -> bool {
+        self.curve_files.is_empty() && self.curves.iter().all(|curve| matches!(curve, Course::Boundary))
     }
 
     /// Fails where an option has no effect.

@@ -26,6 +26,7 @@
 mod boxes;
 mod corner;
 pub mod crowd;
+mod depth;
 mod dijkstra;
 mod distance;
 mod error;
@@ -44,6 +45,7 @@ mod solver;
 mod soup;
 
 pub use crowd::VolumeCrowd;
+pub use depth::boundary_distance;
 pub use dijkstra::edge_polyline;
 pub use distance::{VolumeDistance, VolumeMethod};
 pub use error::{Error, Result};

@@ -2,6 +2,7 @@
 
 mod common;
 mod crowd;
+mod depth;
 mod fill;
 mod heat;
 mod io;

@@ -3,8 +3,10 @@
 use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
-use heatwalk::{RelativeError, Up};
-use heatwalk_volume::{TetMesh, TetSource, VolumeDistance, VolumeMethod, VolumeOptions, VolumeSolver};
+use heatwalk::{Choice, Method, RelativeError, Up};
+use heatwalk_volume::{
+    TetMesh, TetSource, VolumeDistance, VolumeMethod, VolumeOptions, VolumeSolver, boundary_distance,
+};
 use serde_json::{Value, json};
 
 use super::commands::{build, prepare, push_mesh};
@@ -15,6 +17,9 @@ use crate::output::{Columns, Output};
 use crate::report::{Report, milliseconds, object};
 
 pub fn distance(arguments: &Distance, input: &Input) -> Result<String> {
+    if arguments.question.curves.are_given() {
+        return of_boundary(arguments, input);
+    }
     let options = options(arguments)?;
     let output = arguments.output.as_deref().map(|path| Output::volume(path, arguments.each)).transpose()?;
     let question = &arguments.question;
@@ -47,11 +52,42 @@ pub fn distance(arguments: &Distance, input: &Input) -> Result<String> {
     Ok(said.render(question.mesh.json))
 }
 
+/// From the boundary.
+fn of_boundary(arguments: &Distance, input: &Input) -> Result<String> {
+    let question = &arguments.question;
+    ensure!(
+        question.curves.are_boundaries(),
+        "inside of tetrahedra there are no curves; give --curve boundary for all of the boundary"
+    );
+    let options = options(arguments)?;
+    ensure!(
+        options.method == VolumeMethod::March,
+        "distance from the boundary is exact; leave --method heat to --source"
+    );
+    ensure!(options.max_distance == f64::INFINITY, "--max-distance has no effect with --curve");
+    let output = arguments.output.as_deref().map(|path| Output::volume(path, false)).transpose()?;
+    let (mesh, build_ms) = build(input)?;
+    let costs = question.solving.ground.inside(&input.soup, &mesh)?;
+    ensure!(costs.is_none(), "distance from the boundary is that of straight lines; leave costs to --source");
+    let start = Instant::now();
+    let values = mesh.to_inputs(&boundary_distance(&mesh)?, f64::INFINITY);
+    let solve_ms = milliseconds(start);
+    let mut said = Report::default();
+    push_mesh(&mut said, mesh.report());
+    said.push("method", Method::Exact.name());
+    said.push("max_distance", values.iter().copied().filter(|value| value.is_finite()).fold(0.0, f64::max));
+    said.push("unreachable", values.iter().filter(|value| value.is_infinite()).count());
+    if let Some(output) = output {
+        output.write_volume(&input.soup, &[("distance".to_owned(), values)])?;
+    }
+    said.push("timings_ms", json!({ "read": input.read_ms, "build": build_ms, "solve": solve_ms }));
+    Ok(said.render(question.mesh.json))
+}
+
 fn options(arguments: &Distance) -> Result<VolumeOptions> {
     let question = &arguments.question;
     refuse(&[
         ("--exact", question.exact),
-        ("--curve", question.curves.are_given()),
         ("--signed", question.curves.signed),
         ("--repeat", arguments.repeat > 1),
         ("--up", arguments.axis.up != Up::default()),

@@ -164,3 +164,21 @@ fn what_is_for_surfaces_is_refused() {
     assert!(on_surface(&["--source", "0", "--method", "march"]).contains("tetrahedra"));
     assert!(on_surface(&["--source", "1:0.25,0.25,0.25,0.25"]).contains("three"));
 }
+
+#[test]
+fn distance_from_the_boundary_is_how_deep_a_vertex_is_inside() {
+    let folder = folder("volume_depth");
+    let cube = shapes::cube(4, 0.1);
+    fs::write(folder.join("cube.msh"), write::msh(&cube, None)).unwrap();
+    let from_boundary = ["distance", "cube.msh", "--curve", "boundary"];
+    let answer = json(&folder, &from_boundary);
+    assert_eq!((&answer["method"], &answer["unreachable"]), (&"exact".into(), &0.into()));
+    for (depth, position) in distances(&folder, &from_boundary[1..]).iter().zip(&cube.positions) {
+        assert!((depth - (1.0 - position.abs().max_element())).abs() < 1e-12, "{depth} at {position}");
+    }
+    let says = |more: &[&str]| refused(&folder, &[&from_boundary[..], more].concat());
+    assert!(says(&["--method", "heat"]).contains("exact"));
+    assert!(says(&["--max-distance", "1"]).contains("--max-distance"));
+    assert!(says(&["--signed"]).contains("--signed"));
+    assert!(refused(&folder, &["distance", "cube.msh", "--curve", "0 5"]).contains("--curve boundary"));
+}
