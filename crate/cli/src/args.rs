@@ -240,6 +240,9 @@ pub struct Path {
     /// An exact shortest path instead of one that descends distances
     #[arg(long, conflicts_with_all = ["straighten", "method"])]
     pub exact: bool,
+    /// The Bézier curve that --from, --via and --to control, by exact shortest paths, which is only at its ends on them
+    #[arg(long, requires = "via", conflicts_with_all = ["straighten", "method", "exact"])]
+    pub bezier: bool,
     /// Write the points to an .obj or .csv file
     #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
@@ -373,8 +376,11 @@ pub struct LogMap {
     /// the surface faces along x
     #[arg(long, value_name = "X,Y,Z", value_parser = direction, allow_hyphen_values = true)]
     pub direction: Option<DVec3>,
-    #[command(flatten)]
-    pub method: ByExactPaths,
+    /// How directions are found: along exact shortest paths, by propagated distances, or by heat, which is smooth where several paths are as
+    /// short
+    #[arg(long, value_name = "METHOD", value_parser = [Method::Exact.name(), Method::Propagation.name(), Method::Heat.name()],
+        default_value = Method::Exact.name())]
+    pub method: String,
     /// Write u and v of each vertex to a .csv file
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -399,14 +405,6 @@ pub struct Transport {
     pub output: Option<PathBuf>,
     #[command(flatten)]
     pub axis: UpAxis,
-}
-
-/// How directions are found. There is one way.
-#[derive(Args)]
-pub struct ByExactPaths {
-    /// How shortest paths are found
-    #[arg(long = "method", value_name = "METHOD", value_parser = [Method::Exact.name()], default_value = Method::Exact.name())]
-    pub name: String,
 }
 
 #[derive(Args)]
@@ -494,7 +492,8 @@ impl Path {
     /// # Errors
     /// Options that would have no effect.
     pub fn distance_options(&self) -> Result<DistanceOptions> {
-        let given = MethodOptions { heat: self.solving.heat_option(), exact: self.exact, search: None };
+        let exact = self.exact || self.bezier;
+        let given = MethodOptions { heat: self.solving.heat_option(), exact, search: None };
         self.solving.distance_options(&given, MultiSource::default())
     }
 }

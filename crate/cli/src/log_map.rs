@@ -4,13 +4,13 @@ use std::time::Instant;
 
 use anyhow::Result;
 use glam::DVec2;
-use heatwalk::{go_on, log_map as mapped};
+use heatwalk::{Choice, Method, Windows, go_on, log_map as mapped, propagated_log_map};
 use serde_json::json;
 
 use crate::args::LogMap;
 use crate::input::Input;
 use crate::output::Output;
-use crate::question::joined;
+use crate::question::{diffusion, joined};
 use crate::report::milliseconds;
 use crate::volume;
 
@@ -23,12 +23,19 @@ pub fn log_map(arguments: &LogMap) -> Result<String> {
     let (mut solver, mut report, build_ms) = joined(&input, &arguments.mesh, &arguments.bridging)?;
     let source = arguments.source.on(&input.model.soup, solver.surface())?;
     let start = Instant::now();
-    let map = mapped(solver.exact_geometry(), source, arguments.direction, &mut go_on)?;
+    let (method, direction) = (arguments.method.as_str(), arguments.direction);
+    let map = if method == Method::Heat.name() {
+        diffusion(&solver)?.log_map(source, direction, &mut go_on)?
+    } else if method == Method::Propagation.name() {
+        propagated_log_map(solver.exact_geometry(), source, direction, Windows::default(), &mut go_on)?
+    } else {
+        mapped(solver.exact_geometry(), source, direction, &mut go_on)?
+    };
     let map_ms = milliseconds(start);
     let surface = solver.surface();
     let column = |part: fn(&DVec2) -> f64| surface.to_inputs(&map.coordinates.iter().map(part).collect(), f64::NAN);
     let [u, v] = [column(|place| place.x), column(|place| place.y)];
-    report.push("method", arguments.method.name.as_str());
+    report.push("method", method);
     report.push("u_axis", json!(map.axes[0].to_array()));
     report.push("v_axis", json!(map.axes[1].to_array()));
     let reached = map.distances.iter().copied().filter(|distance| distance.is_finite());

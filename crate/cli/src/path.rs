@@ -5,7 +5,8 @@ use std::time::Instant;
 use anyhow::{Context, Result};
 use heatwalk::exact::shortest_path;
 use heatwalk::{
-    Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, PathKind, Place, Surface, SurfacePoint, go_on,
+    Bezier, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, PathKind, Place, Surface, SurfacePoint,
+    bezier, go_on,
 };
 use serde_json::json;
 
@@ -55,14 +56,18 @@ pub fn path(arguments: &Path) -> Result<String> {
     let places = arguments.places().map(|place| place.on(soup, solver.surface()));
     let places: Vec<SurfacePoint> = places.collect::<Result<_>>()?;
     let mut prepared = prepare((solver, build_ms), &options)?;
-    let legs = places.windows(2).map(|ends| match arguments.exact {
-        true => exactly(&mut prepared.solver, ends[0], ends[1]),
-        false => by_descent(&mut prepared.solver, ends[0], ends[1], (arguments, &options)),
-    });
-    let legs = legs.collect::<Result<Vec<Found>>>()?;
-    let surface = prepared.solver.surface();
-    let found = legs.into_iter().reduce(|before, leg| before.followed_by(surface, &leg));
-    let found = found.context("a path has two ends")?;
+    let found = if arguments.bezier {
+        controlled(&mut prepared.solver, &places)?
+    } else {
+        let legs = places.windows(2).map(|ends| match arguments.exact {
+            true => exactly(&mut prepared.solver, ends[0], ends[1]),
+            false => by_descent(&mut prepared.solver, ends[0], ends[1], (arguments, &options)),
+        });
+        let legs = legs.collect::<Result<Vec<Found>>>()?;
+        let surface = prepared.solver.surface();
+        let found = legs.into_iter().reduce(|before, leg| before.followed_by(surface, &leg));
+        found.context("a path has two ends")?
+    };
     if let Some(output) = output {
         output.write(found.path.positions().into_iter(), arguments.axis.up)?;
     }
@@ -120,4 +125,13 @@ fn exactly(solver: &mut DistanceSolver, from: SurfacePoint, to: SurfacePoint) ->
     let solve_ms = milliseconds(start);
     let distance = solver.cost_of(&path);
     Ok(Found { path, distance, is_interpolated: false, method: Method::Exact, solve_ms, path_ms: 0.0 })
+}
+
+/// The Bézier curve of these places.
+fn controlled(solver: &mut DistanceSolver, places: &[SurfacePoint]) -> Result<Found> {
+    let start = Instant::now();
+    let Bezier { path, .. } = bezier(solver.exact_geometry(), places, &mut go_on)?;
+    let path_ms = milliseconds(start);
+    let distance = path.length();
+    Ok(Found { path, distance, is_interpolated: false, method: Method::Exact, solve_ms: 0.0, path_ms })
 }

@@ -1,7 +1,8 @@
 //! From the command line to a solver that can be asked for distances on a surface.
 
-use anyhow::Result;
-use heatwalk::{DistanceOptions, DistanceSolver, Source, Up};
+use anyhow::{Result, ensure};
+use heatwalk::heat::VectorHeat;
+use heatwalk::{DistanceOptions, DistanceSolver, Source, Up, go_on};
 
 use crate::args::{Bridging, Mesh, Question, Solving};
 use crate::input::Input;
@@ -46,6 +47,16 @@ pub fn walkable(input: &Input, mesh: &Mesh, solving: &Solving, up: Up) -> Result
 /// The same without walls and costs.
 pub fn joined(input: &Input, mesh: &Mesh, bridging: &Bridging) -> Result<(DistanceSolver, Report, f64)> {
     with_bridges(unjoined(input, mesh)?, input, bridging)
+}
+
+/// What diffuses vectors on the surface of a solver.
+///
+/// # Errors
+/// Bridges.
+pub fn diffusion(solver: &DistanceSolver) -> Result<VectorHeat> {
+    let has_portals = !solver.joined().bridges().portals().is_empty();
+    ensure!(!has_portals, "heat carries nothing across bridges; give --bridge off");
+    Ok(VectorHeat::new(solver.surface(), &mut go_on)?)
 }
 
 fn unjoined(input: &Input, mesh: &Mesh) -> Result<(DistanceSolver, f64)> {

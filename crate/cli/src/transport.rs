@@ -2,16 +2,15 @@
 
 use std::time::Instant;
 
-use anyhow::{Result, ensure};
+use anyhow::Result;
 use glam::DVec3;
-use heatwalk::heat::VectorHeat;
 use heatwalk::{Choice, Method, SurfacePoint, go_on, transport as carried};
 use serde_json::json;
 
 use crate::args::Transport;
 use crate::input::Input;
 use crate::output::Output;
-use crate::question::joined;
+use crate::question::{diffusion, joined};
 use crate::report::milliseconds;
 use crate::volume;
 
@@ -27,11 +26,7 @@ pub fn transport(arguments: &Transport) -> Result<String> {
     let placed: Vec<(SurfacePoint, DVec3)> = placed.collect::<Result<_>>()?;
     let start = Instant::now();
     let vectors = if arguments.method == Method::Heat.name() {
-        ensure!(
-            solver.joined().bridges().portals().is_empty(),
-            "heat carries nothing across bridges; give --bridge off"
-        );
-        VectorHeat::new(solver.surface(), &mut go_on)?.transport(&placed, &mut go_on)?
+        diffusion(&solver)?.transport(&placed, &mut go_on)?
     } else {
         carried(solver.exact_geometry(), &placed, &mut go_on)?
     };

@@ -1,4 +1,5 @@
-//! The log map beside distances, in time, and against exact paths, in degrees; and vectors carried over the unit sphere.
+//! The log map beside distances, in time, and against exact paths, in degrees; that by heat against it; and vectors carried over the unit
+//! sphere.
 //!
 //! `cargo run --release -p heatwalk --example directions -- MESH...`
 
@@ -12,28 +13,71 @@ use std::time::Instant;
 use glam::{DQuat, DVec3, dvec2};
 use heatwalk::exact::{ExactGeometry, Wavefront};
 use heatwalk::heat::VectorHeat;
-use heatwalk::{Element, FaceId, Place, Surface, VertexId, go_on, log_map, transport};
+use heatwalk::{Element, FaceId, Place, Surface, VertexId, Windows, go_on, log_map, propagated_log_map, transport};
 use heatwalk_model::io;
 use heatwalk_shapes::icosphere;
 
 /// Pairs of a search and a log map that are timed.
 const RUNS: usize = 15;
 
+/// Vertices from which log maps are compared.
+const SOURCES: usize = 9;
+
 fn main() -> Result<(), Box<dyn Error>> {
     println!("| mesh | distances, ms | log map / distances, median | degrees from exact paths, median / 95 % / max |");
     println!("|---|---|---|---|");
     for path in std::env::args().skip(1) {
-        measure(Path::new(&path))?;
+        measure(&surface_of(Path::new(&path))?, &path)?;
+    }
+    println!("\nlog maps, medians over vertices and {SOURCES} sources: degrees, share of the largest distance, ms");
+    println!("| mesh | by propagation | by heat |");
+    println!("|---|---|---|");
+    for path in std::env::args().skip(1) {
+        compare(&surface_of(Path::new(&path))?, &path)?;
     }
     sphere()
 }
 
-fn measure(path: &Path) -> Result<(), Box<dyn Error>> {
+fn surface_of(path: &Path) -> Result<Arc<Surface>, Box<dyn Error>> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let folder = path.parent().unwrap_or(Path::new(""));
     let soup = io::read(&name, &fs::read(path)?, &|uri| fs::read(folder.join(uri)).ok())?.soup;
-    let surface = Arc::new(Surface::build(&soup)?);
-    let geometry = Arc::new(ExactGeometry::new(Arc::clone(&surface)));
+    Ok(Arc::new(Surface::build(&soup)?))
+}
+
+/// Other log maps against that of exact paths, from vertices.
+fn compare(surface: &Arc<Surface>, name: &str) -> Result<(), Box<dyn Error>> {
+    let geometry = Arc::new(ExactGeometry::new(Arc::clone(surface)));
+    let heat = VectorHeat::new(surface, &mut go_on)?;
+    let mut measured: [[Vec<f64>; 3]; 2] = Default::default();
+    for source in (0..SOURCES).map(|place| VertexId::from_index(place * surface.vertex_count() / SOURCES)) {
+        let exact = log_map(&geometry, source, None, &mut go_on)?;
+        let most = exact.distances.iter().copied().filter(|distance| distance.is_finite()).fold(0.0, f64::max);
+        for (is_by_heat, [angles, errors, times]) in [false, true].into_iter().zip(&mut measured) {
+            let start = Instant::now();
+            let other = if is_by_heat {
+                heat.log_map(source, None, &mut go_on)?
+            } else {
+                propagated_log_map(&geometry, source, None, Windows::default(), &mut go_on)?
+            };
+            times.push(1e3 * start.elapsed().as_secs_f64());
+            for vertex in surface.vertices().filter(|&vertex| vertex != source && exact.distances[vertex].is_finite()) {
+                let [expected, place] = [&exact, &other].map(|map| map.coordinates[vertex]);
+                angles.push(place.angle_to(expected).abs().to_degrees());
+                errors.push(100.0 * place.distance(expected) / most);
+            }
+        }
+    }
+    let told = measured.map(|[mut angles, mut errors, mut times]| {
+        let [angle, error, time] = [&mut angles, &mut errors, &mut times].map(|values| share(values, 0.5));
+        format!("{angle:.2} / {error:.2} % / {time:.1}")
+    });
+    println!("| {name} | {} |", told.join(" | "));
+    Ok(())
+}
+
+fn measure(surface: &Arc<Surface>, name: &str) -> Result<(), Box<dyn Error>> {
+    let geometry = Arc::new(ExactGeometry::new(Arc::clone(surface)));
     let face = FaceId::from_index(surface.face_count() / 3);
     let source = Place::Face { face, weights: [0.5, 0.2, 0.3] };
     let search = || -> heatwalk::Result<Wavefront> {

@@ -92,7 +92,7 @@ pub use curve::{
     Curve, Line, SignedDistance, curve_distance, curve_search, signed_curve_distance, signed_curve_distance_at,
 };
 pub use dijkstra::{edge_path, edge_polyline};
-pub use directions::{LogMap, LogMapSearch, log_map, transport};
+pub use directions::{LogMap, LogMapSearch, log_map, propagated_log_map, transport};
 pub use distance::{Distance, PortalCrossing};
 pub use error::{Error, Result};
 pub use footprint::{footprint, require_room};
@@ -111,7 +111,8 @@ pub use options::{
     Method, MultiSource, Operator, Parameters, PathKind, Sign, TRIANGLE_BYTES, TimeStep, Up, VertexField, WINDOWS,
 };
 pub use path::{
-    Enclosed, PathSearch, Straightest, closed_geodesic, descend, enclosed, refract, straighten, straightest,
+    Bezier, Enclosed, PathSearch, Straightest, bezier, closed_geodesic, descend, enclosed, refract, straighten,
+    straightest,
 };
 pub use propagation::{Carriers, ExactSearch, Propagation, PropagationOptions, Windows};
 pub use refinement::PropagationRefinement;

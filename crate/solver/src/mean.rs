@@ -100,7 +100,7 @@ pub fn relaxed<P: ToPoint>(
             samples.iter().map(|sample| Plane::at(geometry, sample.place()).ok()).collect();
         // The sample that each leg comes from, and the direction in which it leaves.
         let mut ways: Vec<Option<(usize, c64)>> = vec![None; surface.vertex_count() + front.end_values().len()];
-        front.for_each_leg(|stop, leg| {
+        front.for_each_leg(f64::INFINITY, |stop, leg| {
             ways[stop] = match (front.start_of_leg(leg), leg.root) {
                 (Some(start), _) => ways[start],
                 (None, Root::Source(sample)) => {

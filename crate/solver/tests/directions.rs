@@ -12,7 +12,7 @@ use heatwalk::exact::{ExactGeometry, PlaceDistances, Wavefront};
 use heatwalk::heat::VectorHeat;
 use heatwalk::{
     Bridges, Costs, Element, Error, FaceId, HalfedgeId, LogMap, LogMapSearch, Place, Portal, Soup, Surface, ToPoint,
-    VertexId, go_on, log_map, transport,
+    VertexId, Windows, go_on, log_map, propagated_log_map, transport,
 };
 use heatwalk_shapes as shapes;
 
@@ -277,7 +277,7 @@ fn a_search_tells_what_it_has_come_to() {
                 assert!(part.coordinates[vertex].distance(whole.coordinates[vertex]) < 1e-12);
                 assert_eq!(part.distances[vertex], whole.distances[vertex]);
             } else {
-                assert!(whole.distances[vertex] > radius && part.coordinates[vertex].is_nan());
+                assert!(whole.distances[vertex] >= radius && part.coordinates[vertex].is_nan());
             }
         }
         assert!(count > 0 && (count < surface.vertex_count()) == radius.is_finite());
@@ -425,4 +425,121 @@ fn heat_carries_vectors_over_a_sphere_and_lengths_and_numbers_from_the_nearest_p
     assert!(matches!(heat.extend(&none, &mut go_on), Err(Error::NoSource)));
     let refused = heat.transport(&[(near, DVec3::ZERO)], &mut go_on).map(|_| ()).expect_err("no direction").to_string();
     assert!(refused.contains("not square to the surface"), "{refused}");
+}
+
+#[test]
+fn the_log_map_by_heat_is_where_vertices_of_a_plane_lie() {
+    let surface = Arc::new(surface(&plane(true)));
+    let heat = VectorHeat::new(&surface, &mut go_on).expect("factors");
+    for place in places(&surface) {
+        let from = place.position(&surface);
+        let map = heat.log_map(place, Some(dvec3(3.0, 4.0, 5.0)), &mut go_on).expect("a log map");
+        assert!(map.axes[0].distance(dvec3(0.6, 0.8, 0.0)) < ROUNDING);
+        for vertex in surface.vertices() {
+            let expected = dvec2(0.6, -0.8).rotate((surface.position(vertex) - from).truncate());
+            assert!(map.coordinates[vertex].distance(expected) < ROUNDING, "{place:?} {vertex:?}");
+            assert!((map.distances[vertex] - expected.length()).abs() < ROUNDING);
+        }
+    }
+}
+
+#[test]
+fn heat_arrives_at_the_end_of_a_strip_of_five_thousand_edges() {
+    let length = 5000;
+    let positions = (0..=length).flat_map(|x| [0.0, 1.0].map(|y| dvec3(f64::from(x), y, 0.0))).collect();
+    let faces = (0..length).flat_map(|x| [[2 * x, 2 * x + 2, 2 * x + 1], [2 * x + 2, 2 * x + 3, 2 * x + 1]]);
+    let surface = Arc::new(surface(&soup(positions, faces.map(|face| face.map(|corner| corner as u32)).collect())));
+    let heat = VectorHeat::new(&surface, &mut go_on).expect("factors");
+    let map = heat.log_map(VertexId(0), None, &mut go_on).expect("a log map");
+    for vertex in surface.vertices() {
+        assert!(map.coordinates[vertex].distance(surface.position(vertex).truncate()) < 1e-6, "{vertex:?}");
+    }
+}
+
+#[test]
+fn the_log_map_by_heat_comes_nearer_to_that_of_exact_paths_on_finer_triangles() {
+    // Mean distances between the two, in radii, up to 30° from the opposite point.
+    let errors = |subdivisions| {
+        let (surface, geometry) = laid_out(&shapes::icosphere(subdivisions));
+        let heat = VectorHeat::new(&surface, &mut go_on).expect("factors");
+        let edge = Place::Edge { halfedge: HalfedgeId(77), fraction: 0.3 };
+        let face = Place::Face { face: FaceId(60), weights: [0.2, 0.3, 0.5] };
+        [Place::Vertex(VertexId(3)), edge, face].map(|place| {
+            let exact = mapped(&geometry, place, None);
+            let diffused = heat.log_map(place, None, &mut go_on).expect("a log map");
+            assert_eq!(exact.axes, diffused.axes);
+            let near = surface.vertices().filter(|&vertex| exact.distances[vertex] < 2.6);
+            let errors = near.map(|vertex| exact.coordinates[vertex].distance(diffused.coordinates[vertex]));
+            let errors: Vec<f64> = errors.collect();
+            errors.iter().sum::<f64>() / errors.len() as f64
+        })
+    };
+    let [coarse, fine] = [3, 5].map(errors);
+    for (coarse, fine) in coarse.into_iter().zip(fine) {
+        assert!(coarse < 0.1 && fine < 0.3 * coarse, "{coarse} {fine}");
+    }
+}
+
+#[test]
+fn the_log_map_by_heat_ends_where_no_heat_arrives_and_refuses_what_has_no_plane() {
+    let (two, first) = two_squares(4);
+    let surface = Arc::new(surface(&two));
+    let heat = VectorHeat::new(&surface, &mut go_on).expect("factors");
+    let map = heat.log_map(VertexId(3), None, &mut go_on).expect("a log map");
+    for vertex in surface.vertices() {
+        assert_eq!(map.coordinates[vertex].is_nan(), vertex.0 >= first);
+        assert_eq!(map.distances[vertex].is_infinite(), vertex.0 >= first);
+    }
+    let refused = heat.log_map(VertexId(3), Some(DVec3::Z), &mut go_on).map(|_| ()).expect_err("no direction");
+    assert!(matches!(refused, Error::BadParameter { name: "the direction", .. }), "{refused}");
+    let surface = Arc::new(self::surface(&book(3, 4)));
+    let heat = VectorHeat::new(&surface, &mut go_on).expect("factors");
+    let spine = nearest(&surface, dvec3(0.0, 0.0, 0.5));
+    assert!(heat.log_map(spine, None, &mut go_on).is_err());
+}
+
+/// Degrees between log maps, sorted.
+fn degrees_between(exact: &LogMap, other: &LogMap) -> Vec<f64> {
+    let maps = exact.coordinates.iter().zip(&other.coordinates).filter(|(expected, _)| expected.length() > 0.0);
+    let mut degrees: Vec<f64> = maps.map(|(expected, place)| place.angle_to(*expected).abs().to_degrees()).collect();
+    degrees.sort_by(f64::total_cmp);
+    degrees
+}
+
+#[test]
+fn the_log_map_by_propagation_goes_on_from_exact_directions() {
+    // Most of both lies beyond the exact search. Errors of distances of one window a half-edge turn directions a little.
+    let (flat, of_plane) = laid_out(&square(160));
+    let middle = Place::Vertex(nearest(&flat, dvec3(0.3, 0.4, 0.0)));
+    let (_, of_sphere) = laid_out(&shapes::icosphere(6));
+    let face = Place::Face { face: FaceId(60), weights: [0.2, 0.3, 0.5] };
+    for (geometry, place) in [(of_plane, middle), (of_sphere, face)] {
+        let exact = mapped(&geometry, place, None);
+        let map = propagated_log_map(&geometry, place, None, Windows::default(), &mut go_on).expect("a log map");
+        assert_eq!(map.axes, exact.axes);
+        let degrees = degrees_between(&exact, &map);
+        let [median, most] = [0.5, 0.95].map(|share| degrees[(degrees.len() as f64 * share) as usize]);
+        assert!(median < 0.3 && most < 2.5, "{median} {most}");
+        for (place, distance) in map.coordinates.iter().zip(&map.distances) {
+            assert!((place.length() - distance).abs() <= 1e-12 * distance);
+        }
+        let all = propagated_log_map(&geometry, place, None, Windows::All, &mut go_on).expect("a log map");
+        assert_eq!(all, exact);
+    }
+}
+
+#[test]
+fn the_log_map_by_propagation_ends_where_nothing_is_reached_and_refuses_costs() {
+    let (two, first) = two_squares(4);
+    let (surface, geometry) = laid_out(&two);
+    let map = propagated_log_map(&geometry, VertexId(3), None, Windows::default(), &mut go_on).expect("a log map");
+    for vertex in surface.vertices() {
+        assert_eq!(map.coordinates[vertex].is_nan(), vertex.0 >= first);
+        assert_eq!(map.distances[vertex].is_infinite(), vertex.0 >= first);
+    }
+    let of_faces: heatwalk::FaceData<f64> = (0..surface.face_count()).map(|face| 1.0 + face as f64).collect();
+    let costs = Costs::new(&surface, of_faces).expect("costs");
+    let weighted = Arc::new(ExactGeometry::new(Arc::clone(&surface)).weighted(&costs));
+    let refused = propagated_log_map(&weighted, VertexId(3), None, Windows::default(), &mut go_on);
+    assert_eq!(refused, Err(Error::NotExact));
 }

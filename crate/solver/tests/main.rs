@@ -1,6 +1,7 @@
 //! The tests of the solver's public interface, in one program: each would be linked with all of it.
 
 mod accuracy;
+mod bezier;
 mod bridges;
 mod cells;
 mod common;

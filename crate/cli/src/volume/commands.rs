@@ -39,7 +39,7 @@ pub fn info(arguments: &Info, input: &Input) -> Result<String> {
 
 pub fn path(arguments: &Path, input: &Input) -> Result<String> {
     let solving = &arguments.solving;
-    refuse(&[("--exact", arguments.exact)])?;
+    refuse(&[("--exact", arguments.exact), ("--bezier", arguments.bezier)])?;
     let options = volume_options(solving, solving.heat_option(), MultiSource::default())?;
     if arguments.straighten {
         bail!("--straighten has no effect inside of tetrahedra, where paths are as short as they get");

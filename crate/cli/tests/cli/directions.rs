@@ -33,6 +33,14 @@ fn the_log_map_of_a_square_is_where_its_vertices_lie() {
             assert!((row[0] - expected[0]).abs() < 1e-12 && (row[1] - expected[1]).abs() < 1e-12, "{row:?}");
         }
     }
+    for method in ["heat", "propagation"] {
+        let arguments = ["log-map", "flat.ply", "--source", "40", "--method", method];
+        assert_eq!(answered(&folder, &arguments)["method"], method);
+        for (row, position) in rows(&folder, &arguments, "vertex,u,v").iter().zip(&positions) {
+            let expected = [position.x - positions[40].x, positions[40].z - position.z];
+            assert!((row[0] - expected[0]).abs() < 1e-9 && (row[1] - expected[1]).abs() < 1e-9, "{row:?}");
+        }
+    }
     let answer = answered(&folder, &["log-map", "flat.ply", "--source", "40"]);
     assert_eq!((&answer["method"], &answer["unreachable"]), (&json!("exact"), &json!(0)));
     assert_eq!((&answer["u_axis"], &answer["v_axis"]), (&json!([1.0, 0.0, 0.0]), &json!([0.0, 0.0, -1.0])));
@@ -81,7 +89,7 @@ fn refuses_what_is_no_direction_and_no_vector() {
     assert!(map(&["--source", "3", "--source", "4"]).contains("--source"));
     assert!(map(&["--source", "999"]).contains("999"));
     assert!(map(&["--source", "3", "--direction", "0,1,0"]).contains("not square to the surface"));
-    assert!(map(&["--source", "3", "--method", "heat"]).contains("exact"));
+    assert!(map(&["--source", "3", "--method", "auto"]).contains("exact"));
     assert!(map(&["--source", "3", "--output", "a.ply"]).contains("log maps are written as .csv"));
     let vector = |text: &str| refused(&folder, &["transport", "flat.ply", "--vector", text]);
     assert!(vector("3:0,1,0").contains("not square to the surface"));

@@ -131,3 +131,25 @@ fn a_path_is_straightened_or_exact_and_stays_on_its_component() {
     assert!(refused(&folder, &[&apart[..], &["--straighten"]].concat()).contains("not connected"));
     assert!(refused(&folder, &[&apart[..], &["--exact"]].concat()).contains("not connected"));
 }
+
+#[test]
+fn a_bezier_curve_goes_from_the_first_place_to_the_last() {
+    let folder = folder("path_bezier");
+    let ends = ["path", "flat.ply", "--from", "0", "--via", "8", "--to", "80", "--bezier"];
+    let answer = json(&folder, &ends);
+    let [from, via, to] = [0, 8, 80].map(|vertex| flat().positions[vertex]);
+    assert!(length(end(&answer, false), from.to_array()) < 1e-12 && length(end(&answer, true), to.to_array()) < 1e-12);
+    // The parabola in a right corner of sides 1.
+    assert!((from.distance(via) - 1.0).abs() < 1e-6 && (via.distance(to) - 1.0).abs() < 1e-6);
+    let parabola = 1.0 + 1.0_f64.asinh() / 2.0_f64.sqrt();
+    assert!((number(&answer, "length") - parabola).abs() < 1e-3, "{answer}");
+    assert_eq!((&answer["method"], &answer["distance"]), (&"exact".into(), &answer["length"]));
+    for more in [&["--exact"][..], &["--straighten"], &["--method", "heat"]] {
+        refused(&folder, &[&ends[..], more].concat());
+    }
+    assert!(refused(&folder, &["path", "flat.ply", "--from", "0", "--to", "80", "--bezier"]).contains("--via"));
+    assert!(
+        refused(&folder, &["path", "shape:cube", "--from", "0", "--via", "1", "--to", "8", "--bezier"])
+            .contains("--bezier")
+    );
+}

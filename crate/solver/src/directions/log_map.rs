@@ -10,16 +10,13 @@ use super::plane::Plane;
 use crate::error::Result;
 use crate::exact::{ExactGeometry, Wavefront};
 
-/// Where the normal is nearer to the x axis than 45°, directions are measured from the y axis unless another direction is given.
-const STEEP: f64 = std::f64::consts::FRAC_1_SQRT_2;
-
 /// Where shortest paths from a source lead to: their lengths, in the directions in which they leave it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogMap {
     /// `#V`, in the file's unit: as long as the distance, u along the direction that was asked for, v to its left as seen from outside. Not
     /// numbers where the source does not reach.
     pub coordinates: VertexData<DVec2>,
-    /// `#V`, the exact distance, in the file's unit; infinite where the source does not reach.
+    /// `#V`, the lengths of the coordinates, along exact paths the exact distance; infinite where the source does not reach.
     pub distances: VertexData<f64>,
     /// Unit vectors in space along u and v, at the source.
     pub axes: [DVec3; 2],
@@ -44,7 +41,7 @@ pub fn log_map(
 ) -> Result<LogMap> {
     let mut search = LogMapSearch::new(geometry, source)?;
     // A direction that there is not is told before anything is searched.
-    let u = search.along(direction)?;
+    let u = search.plane.first_axis(direction)?;
     search.front.grow(f64::INFINITY, progress)?;
     search.map_along(u)
 }
@@ -75,7 +72,7 @@ impl LogMapSearch {
         self.front.advance(radius, work)
     }
 
-    /// `#V`, distances, which are final where they are no larger than the distance that it has come to.
+    /// `#V`, distances, which are final where they are below the distance that it has come to.
     pub fn distances(&self) -> &VertexData<f64> {
         self.front.values()
     }
@@ -85,35 +82,32 @@ impl LogMapSearch {
     /// # Errors
     /// As [`log_map`].
     pub fn map(&self, direction: Option<DVec3>) -> Result<LogMap> {
-        self.map_along(self.along(direction)?)
-    }
-
-    /// A direction as a unit number of the plane.
-    fn along(&self, direction: Option<DVec3>) -> Result<c64> {
-        let steep = self.plane.normal().x.abs() > STEEP;
-        let direction = direction.unwrap_or(if steep { DVec3::Y } else { DVec3::X });
-        let u = self.plane.number("the direction", direction)?;
-        Ok(u / u.norm())
+        self.map_along(self.plane.first_axis(direction)?)
     }
 
     fn map_along(&self, u: c64) -> Result<LogMap> {
-        let Self { front, plane } = self;
-        let nowhere = c64::new(f64::NAN, f64::NAN);
-        let mut directions = vec![nowhere; front.surface().vertex_count() + front.end_values().len()];
-        front.for_each_leg(|stop, leg| {
-            directions[stop] = match front.start_of_leg(leg) {
-                None => c64::cis(plane.angle(&leg.departure)) * u.conj(),
-                Some(start) => directions[start],
-            };
-        })?;
-        let radius = front.radius();
-        let known = |&distance: &f64| if distance <= radius { distance } else { f64::INFINITY };
-        let distances: VertexData<f64> = front.values().iter().map(known).collect();
+        let radius = self.front.radius();
+        let directions = departures(&self.front, &self.plane, u, radius)?;
+        let known = |&distance: &f64| if distance < radius { distance } else { f64::INFINITY };
+        let distances: VertexData<f64> = self.front.values().iter().map(known).collect();
         let at = |(direction, &distance): (&c64, &f64)| match distance.is_finite() {
             true => distance * DVec2::new(direction.re, direction.im),
             false => DVec2::NAN,
         };
         let coordinates = directions.iter().zip(&distances).map(at).collect();
-        Ok(LogMap { coordinates, distances, axes: [plane.vector(u), plane.vector(u * c64::new(0.0, 1.0))] })
+        Ok(LogMap { coordinates, distances, axes: self.plane.axes(u) })
     }
+}
+
+/// The directions in which exact paths shorter than `below` leave their source, whose plane this is, relative to u: of vertices, then of the
+/// ends of portals; not numbers elsewhere.
+pub(super) fn departures(front: &Wavefront, plane: &Plane, u: c64, below: f64) -> Result<Vec<c64>> {
+    let mut directions = vec![c64::new(f64::NAN, f64::NAN); front.values().len() + front.end_values().len()];
+    front.for_each_leg(below, |stop, leg| {
+        directions[stop] = match front.start_of_leg(leg) {
+            None => c64::cis(plane.angle(&leg.departure)) * u.conj(),
+            Some(start) => directions[start],
+        };
+    })?;
+    Ok(directions)
 }

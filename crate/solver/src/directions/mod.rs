@@ -6,12 +6,14 @@
 
 mod log_map;
 mod plane;
+mod propagated;
 mod transport;
 
 use std::sync::Arc;
 
 pub use log_map::{LogMap, LogMapSearch, log_map};
 pub(crate) use plane::Plane;
+pub use propagated::propagated_log_map;
 pub use transport::transport;
 
 use heatwalk_sparse::Progress;

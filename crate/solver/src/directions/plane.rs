@@ -14,6 +14,9 @@ use crate::operator::TangentPlane;
 /// A vector whose part along the surface is a smaller share of it is square to the surface: rounding.
 const SQUARE: f64 = 1e-12;
 
+/// Where the normal is nearer to the x axis than 45°, directions are measured from the y axis unless another direction is given.
+const STEEP: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
 /// The plane at a place.
 #[derive(Debug)]
 pub(crate) struct Plane {
@@ -51,15 +54,21 @@ impl Plane {
 
     /// At a vertex; none where the triangles around it are not one fan.
     pub fn at_vertex(geometry: &ExactGeometry, vertex: VertexId) -> Option<Self> {
+        let plane = Self::of_fan(geometry, CutVertex(vertex.0));
+        (plane.sides.len() == geometry.surface().corners_of_vertex(vertex).count()).then_some(plane)
+    }
+
+    /// At a vertex of the half-edge mesh, by the triangles of its fan alone. The reference is that of [`Frames`](crate::operator::Frames).
+    pub fn of_fan(geometry: &ExactGeometry, copy: CutVertex) -> Self {
         let surface = geometry.surface();
         let mesh = surface.mesh();
-        let copy = CutVertex(vertex.0);
         let mut fan: Vec<u32> =
             mesh.outgoing(copy).filter(|&side| !mesh.is_boundary(mesh.face(side))).map(|side| side.0).collect();
-        if fan.len() != surface.corners_of_vertex(vertex).count() {
-            return None;
-        }
         fan.reverse();
+        if !mesh.is_boundary_vertex(copy) {
+            let lowest = (0..fan.len()).min_by_key(|&place| fan[place]).unwrap_or(0);
+            fan.rotate_left(lowest);
+        }
         let mut sum = 0.0;
         let with_angle = |side: u32| {
             let (frame, k) = geometry.frame_of(side);
@@ -70,9 +79,9 @@ impl Plane {
         let mut sides: Vec<(u32, f64)> = fan.into_iter().map(with_angle).collect();
         let scale = if mesh.is_boundary_vertex(copy) { 1.0 } else { TAU / sum };
         sides.iter_mut().for_each(|(_, angle)| *angle *= scale);
-        let normal = surface.vertex_normal(vertex);
-        let tangent = tangent(surface, HalfedgeId(sides.first()?.0), normal);
-        Some(Self { tangent, sides, scale })
+        let normal = surface.vertex_normal(surface.vertex_of_cut(copy));
+        let tangent = tangent(surface, HalfedgeId(sides[0].0), normal);
+        Self { tangent, sides, scale }
     }
 
     /// On an edge; none where it has three faces or more, or two of different orientations.
@@ -113,14 +122,29 @@ impl Plane {
         if vector.is_finite() && number.norm() > SQUARE * triangle::length(vector) { Ok(number) } else { Err(bad()) }
     }
 
+    /// The unit vector that a log map has for u: along this direction, or without one along the x axis, or the y axis where that is steep.
+    ///
+    /// # Errors
+    /// Those of [`Self::number`].
+    pub fn first_axis(&self, direction: Option<DVec3>) -> Result<c64> {
+        let direction = direction.unwrap_or(if self.tangent.normal.x.abs() > STEEP { DVec3::Y } else { DVec3::X });
+        let u = self.number("the direction", direction)?;
+        Ok(u / u.norm())
+    }
+
+    /// The unit vectors in space along u and v, which is to the left of u. No coordinate is −0.
+    pub fn axes(&self, u: c64) -> [DVec3; 2] {
+        [u, u * c64::new(0.0, 1.0)].map(|axis| self.tangent.vector(axis) + DVec3::ZERO)
+    }
+
+    /// The half-edge that directions may be measured from: at places that are no vertex the first one of a triangle that they are in.
+    pub fn first_side(&self) -> HalfedgeId {
+        HalfedgeId(self.sides[0].0)
+    }
+
     /// The vector in space.
     pub fn vector(&self, number: c64) -> DVec3 {
         self.tangent.vector(number)
-    }
-
-    /// A vector along the normal has no tangent part.
-    pub fn normal(&self) -> DVec3 {
-        self.tangent.normal
     }
 
     /// The angle of a direction, radians.

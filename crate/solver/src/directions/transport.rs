@@ -44,7 +44,7 @@ pub fn transport<P: ToPoint>(
     let front = searched(geometry, &sources, progress)?;
     let mut carried = Carried { front: &front, starts, numbers: vec![None; surface.vertex_count()] };
     let mut vectors = vec![DVec3::NAN; surface.vertex_count()];
-    front.for_each_leg(|stop, leg| {
+    front.for_each_leg(f64::INFINITY, |stop, leg| {
         // Portals have no plane.
         if stop < vectors.len()
             && let Some(vector) = carried.along(VertexId::from_index(stop), leg)

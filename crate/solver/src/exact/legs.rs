@@ -128,15 +128,15 @@ pub(crate) struct Legs<'a> {
 
 impl Wavefront {
     /// Tells the leg of each vertex that has a distance, and of each end of a portal (`#V` + its number); first those of the places where
-    /// others [begin](Self::start_of_leg). Distances must be final.
+    /// others [begin](Self::start_of_leg). Those that are not below a distance are left out; the others must be final.
     ///
     /// # Errors
     /// [`Error::OutOfMemory`](crate::Error::OutOfMemory).
-    pub(crate) fn for_each_leg(&self, mut tell: impl FnMut(usize, &Leg)) -> Result<()> {
+    pub(crate) fn for_each_leg(&self, below: f64, mut tell: impl FnMut(usize, &Leg)) -> Result<()> {
         let mut legs = Legs::new(self)?;
         let mut is_told = vec![false; self.values.len() + self.ends.values.len()];
         let mut open = Vec::new();
-        for stop in 0..is_told.len() {
+        for stop in (0..is_told.len()).filter(|&stop| self.stop(stop).1 < below) {
             open.push(stop);
             while let Some(&stop) = open.last() {
                 let leg = if is_told[stop] { None } else { legs.of(stop) };

@@ -17,6 +17,7 @@ mod discretization;
 mod factorization;
 mod field;
 mod flow;
+mod log_map;
 mod method;
 mod order;
 mod point_source;

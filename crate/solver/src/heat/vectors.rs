@@ -2,7 +2,7 @@
 //! Crane, "The vector heat method", 2019), and the sign of distance from curves by that of their normals (Feng & Crane, "A heat method for
 //! generalized signed distance", 2024).
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::DVec3;
 use heatwalk_sparse::{Progress, Scalar, System, c64};
@@ -11,6 +11,7 @@ use heatwalk_surface::{Element, FaceId, Place, Surface, ToPoint, VertexData, Ver
 use super::flow::{Condition, HeatFlow};
 use super::systems::Systems;
 use crate::error::{Error, Result};
+use crate::exact::ExactGeometry;
 use crate::operator::intrinsic::IntrinsicTriangulation;
 use crate::operator::{ConnectionLaplacian, Frames, Operators, TangentPlane};
 use crate::options::LinearSolver;
@@ -18,19 +19,29 @@ use crate::options::LinearSolver;
 /// A vector whose part along the surface is a smaller share of it is square to the surface: rounding.
 const SQUARE: f64 = 1e-12;
 
+/// √t is at least this share of how far the surface extends, so that heat arrives everywhere.
+const LEAST_REACH: f64 = 1.0 / 250.0;
+
 /// One step of diffusion of tangent vectors, factored.
 #[derive(Debug)]
 pub struct VectorHeat {
-    surface: Arc<Surface>,
-    frames: Frames,
+    pub(super) surface: Arc<Surface>,
+    pub(super) frames: Frames,
     /// `#V` of the half-edge mesh: where the surface is no manifold, a vertex has a plane for each of its fans.
-    planes: Vec<TangentPlane>,
-    systems: Arc<Systems>,
-    diffusion: System<c64>,
+    pub(super) planes: Vec<TangentPlane>,
+    pub(super) systems: Arc<Systems>,
+    /// In the file's unit, squared.
+    time: f64,
+    pub(super) diffusion: System<c64>,
+    /// Made when it is first needed.
+    heat: OnceLock<HeatFlow>,
+    /// Laid out when it is first needed.
+    pub(super) geometry: OnceLock<ExactGeometry>,
 }
 
 impl VectorHeat {
-    /// On the intrinsic Delaunay triangulation, for a time of the squared mean edge.
+    /// On the intrinsic Delaunay triangulation, for a time of the squared mean edge; on surfaces that extend farther than a few hundred mean
+    /// edges for a longer one.
     ///
     /// # Errors
     /// [`NotPositiveDefinite`](crate::Error::NotPositiveDefinite) on degenerate triangles; [`OutOfMemory`](crate::Error::OutOfMemory);
@@ -39,11 +50,13 @@ impl VectorHeat {
         let mut frames = Frames::new(IntrinsicTriangulation::of_surface(surface))?;
         frames.flip_to_delaunay();
         let operators = Operators::of_triangulation(frames.triangulation());
-        let time = operators.mean_edge().powi(2);
+        let time = operators.mean_edge().max(LEAST_REACH * surface.bounding_radius()).powi(2);
         let systems = Systems::new(operators, LinearSolver::Cholesky, progress)?;
         let matrix = ConnectionLaplacian::new(&frames, systems.operators()).heat_matrix(time);
         let diffusion = systems.system_of(matrix, progress)?;
-        Ok(Self { surface: Arc::clone(surface), planes: frames.in_space(surface), frames, systems, diffusion })
+        let planes = frames.in_space(surface);
+        let (heat, geometry) = (OnceLock::new(), OnceLock::new());
+        Ok(Self { surface: Arc::clone(surface), frames, planes, systems, time, diffusion, heat, geometry })
     }
 
     /// The tangent planes of vertices (`#V`), whose numbers those of the [connection Laplacian](Self::connection_laplacian) are. Where
@@ -137,9 +150,14 @@ impl VectorHeat {
         supply
     }
 
-    fn heat(&self, progress: Progress<'_>) -> Result<HeatFlow> {
-        let time = self.systems.operators().mean_edge().powi(2);
-        HeatFlow::new(&self.systems, time, Condition::Neumann, progress)
+    /// The heat of numbers.
+    pub(super) fn heat(&self, progress: Progress<'_>) -> Result<&HeatFlow> {
+        if self.heat.get().is_none() {
+            let heat = HeatFlow::new(&self.systems, self.time, Condition::Neumann, progress)?;
+            // Of two that are made at once one is kept; they are the same.
+            let _ = self.heat.set(heat);
+        }
+        Ok(self.heat.get().expect("it was made above"))
     }
 
     /// [`Self::extend`] to the vertices of the half-edge mesh.

@@ -1,5 +1,6 @@
 //! Curves made on the surface: down a distance, straightened, refracted, straightest; and what closed ones enclose.
 
+mod bezier;
 mod chain;
 pub mod descent;
 pub mod enclosed;
@@ -12,6 +13,7 @@ pub mod straighten;
 pub mod straightest;
 mod strip;
 
+pub use bezier::{Bezier, bezier};
 pub use descent::descend;
 pub(crate) use descent::descend_corners;
 pub use enclosed::{Enclosed, enclosed};

@@ -156,6 +156,11 @@ impl Propagation {
         Ok(front.radius() >= radius)
     }
 
+    /// The exact search that went first.
+    pub(crate) fn exact(&self) -> &Wavefront {
+        &self.exact
+    }
+
     /// The front that has come farthest, unless that is the exact search.
     fn beyond(&self) -> Option<&dyn Grow> {
         self.front.as_deref().filter(|_| self.is_beyond)
