@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use heatwalk::operator::TangentPlane;
-use heatwalk::{Choice, Element, Method, VertexId, log_map, transport};
+use heatwalk::{Element, Method, VertexId, Windows, log_map, propagated_log_map, transport};
 use numpy::{Complex64, PyArray1, PyArray2};
 use pyo3::prelude::*;
 
@@ -11,7 +11,8 @@ use crate::errors::{Failure, Result};
 use crate::interrupt::run;
 use crate::mesh::Mesh;
 use crate::named::named;
-use crate::sources::{one, several};
+use crate::options::method_of;
+use crate::sources::{one, require_one_each, several};
 
 /// Rows, columns and values.
 type Entries<'py> = (Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<i64>>, Bound<'py, PyArray1<Complex64>>);
@@ -23,26 +24,39 @@ pub fn direction(name: &'static str, value: &Bound<'_, PyAny>) -> Result<DVec3> 
 
 #[pymethods]
 impl Mesh {
-    /// The log map: in which direction exact shortest paths leave a source, and how long they are.
+    /// The log map: in which direction shortest paths leave a source, and how long they are.
     ///
     /// `source`: a place as a source of `distance`. `direction`: three floats, of any length, whose part along the surface is u; if not
-    /// given, the x axis, or the y axis where the surface faces along x. v is to its left, seen from outside.
+    /// given, the x axis, or the y axis where the surface faces along x. v is to its left, seen from outside. `method`: "exact" (default)
+    /// along exact paths; "propagation" by propagated distances; "heat", which is smooth where several paths are as short.
     ///
     /// Returns `LogMap`: (n, 2) coordinates as long as the distance, NaN where nothing is reached, distances and the axes in space.
     ///
-    /// Raises HeatwalkError for a place that does not exist or has no tangent plane, and a direction that is square to the surface.
-    #[pyo3(signature = (source, direction=None, *, progress=None))]
+    /// Raises HeatwalkError for a place that does not exist or has no tangent plane, and a direction that is square to the surface; by heat,
+    /// where components are joined by bridges.
+    #[pyo3(signature = (source, direction=None, method="exact", *, progress=None))]
     fn log_map<'py>(
         &self,
         py: Python<'py>,
         source: &Bound<'_, PyAny>,
         direction: Option<&Bound<'_, PyAny>>,
+        method: &str,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let source = one("source", source)?;
         let direction = direction.map(|given| self::direction("direction", given)).transpose()?;
-        let map =
-            run(py, progress, |progress| Ok(log_map(&self.geometry()?, self.point(source)?, direction, progress)?))?;
+        let methods = [Method::Exact, Method::Propagation, Method::Heat];
+        let method = method_of(method, &methods, "log maps are not made")?;
+        let map = run(py, progress, |progress| {
+            let source = self.point(source)?;
+            Ok(match method {
+                Method::Heat => self.diffusion(progress)?.log_map(source, direction, progress)?,
+                Method::Propagation => {
+                    propagated_log_map(&self.geometry()?, source, direction, Windows::default(), progress)?
+                }
+                Method::Exact | Method::Auto => log_map(&self.geometry()?, source, direction, progress)?,
+            })
+        })?;
         let coordinates = self.to_inputs(&map.coordinates, glam::DVec2::NAN);
         let distances = PyArray1::from_vec(py, self.to_inputs(&map.distances, f64::INFINITY));
         let axes = vectors(py, map.axes.map(|axis| axis.to_array()).into_iter());
@@ -69,22 +83,11 @@ impl Mesh {
         let sources = several("source", sources)?;
         let given = Given::new("vectors", vectors)?;
         let given = if given.dimensions() == 1 { vec![direction("vectors", vectors)?] } else { given.points()? };
-        let method: Method = method.parse().map_err(Failure::from)?;
-        let is_by_heat = match method {
-            Method::Exact => false,
-            Method::Heat => true,
-            Method::Auto | Method::Propagation => {
-                let sentence = format!("vectors are not carried by {}; choose one of exact, heat", method.name());
-                return Err(Failure::new("unknown-choice", sentence).into());
-            }
-        };
-        if sources.len() != given.len() {
-            let sentence = format!("there are {} sources and {} vectors", sources.len(), given.len());
-            return Err(Failure::new("bad-shape", sentence).into());
-        }
+        let method = method_of(method, &[Method::Exact, Method::Heat], "vectors are not carried")?;
+        require_one_each(sources.len(), given.len(), "vectors")?;
         let carried = run(py, progress, |progress| {
             let placed: Vec<_> = self.points(&sources)?.into_iter().zip(given).collect();
-            Ok(if is_by_heat {
+            Ok(if method == Method::Heat {
                 self.diffusion(progress)?.transport(&placed, progress)?
             } else {
                 transport(&self.geometry()?, &placed, progress)?

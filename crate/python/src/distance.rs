@@ -14,7 +14,7 @@ use crate::interrupt::run;
 use crate::mesh::{Mesh, all_threads, checked_threads};
 use crate::named::named;
 use crate::options::distance_options;
-use crate::sources::{Wanted, several};
+use crate::sources::{Wanted, initial_distances, several};
 
 /// Bytes of a matrix that are refused, as a mistake, whatever the machine has: more than any has.
 const MOST_BYTES: usize = isize::MAX as usize;
@@ -160,7 +160,7 @@ impl Mesh {
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Found> {
         let sources = several("source", sources)?;
-        let initial = initial.map(|initial| Given::new("initial", initial)?.row(None)?.floats()).transpose()?;
+        let initial = initial_distances(initial)?;
         let options = distance_options(method, options)?;
         run(py, progress, |progress| {
             let sources = self.sources(&sources, initial.as_deref())?;

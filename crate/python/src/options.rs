@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use heatwalk::{DistanceOptions, Method, Parameters};
+use heatwalk::{Choice, DistanceOptions, Method, Parameters};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -51,6 +51,16 @@ pub fn distance_options(method: &str, given: Option<&Bound<'_, PyDict>>) -> Resu
         }
     }
     Ok(options)
+}
+
+/// One of the methods that there are for something: `what` is not done by the others.
+pub fn method_of(name: &str, methods: &[Method], what: &str) -> Result<Method> {
+    let method = name.parse::<Method>()?;
+    if methods.contains(&method) {
+        return Ok(method);
+    }
+    let known = methods.iter().map(|method| method.name()).collect::<Vec<_>>().join(", ");
+    Err(Failure::new("unknown-choice", format!("{what} by {}; choose one of {known}", method.name())))
 }
 
 /// A choice by its name, a number, or a word in place of one.

@@ -1,10 +1,11 @@
 //! Paths and walks.
 
 use heatwalk::{
-    DistanceSolver, Path, PathKind, Progress, Stage, Straightest, Surface, SurfacePoint, straighten, straightest,
+    DistanceSolver, Path, PathKind, Progress, Stage, Straightest, Surface, SurfacePoint, bezier, closed_geodesic,
+    geodesic_loop, handle_loops, straighten, straightest,
 };
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyList};
 
 use crate::arrays::vector;
 use crate::directions::direction;
@@ -91,6 +92,70 @@ impl Mesh {
         self.told_as_path(py, &path, cost)
     }
 
+    /// The Bézier curve of control places, by exact shortest paths: it begins at the first and ends at the last.
+    ///
+    /// `places`: as sources of `distance`.
+    ///
+    /// Returns `Path`.
+    ///
+    /// Raises HeatwalkError for places that no path joins.
+    #[pyo3(signature = (places, *, progress=None))]
+    fn bezier<'py>(
+        &self,
+        py: Python<'py>,
+        places: &Bound<'_, PyAny>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let places = several("place", places)?;
+        let curve = run(py, progress, |progress| Ok(bezier(&self.geometry()?, &self.points(&places)?, progress)?))?;
+        self.told_as_path(py, &curve.path, curve.path.length())
+    }
+
+    /// The closed curve through places in turn, by shortest paths from each to the next and from the last to the first.
+    ///
+    /// `places`: as sources of `distance`. Through one or two it is the shortest curve found that does not shrink to a point, around a
+    /// handle or a hole.
+    ///
+    /// Returns `Path`, whose last point is its first.
+    ///
+    /// Raises HeatwalkError for places that no path joins, and for one or two where all loops shrink to points.
+    #[pyo3(signature = (places, *, progress=None))]
+    fn r#loop<'py>(
+        &self,
+        py: Python<'py>,
+        places: &Bound<'_, PyAny>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.told_loop(py, places, false, progress)
+    }
+
+    /// A closed geodesic: what the `loop` through places tightens to once it may leave them.
+    ///
+    /// `places`: as for `loop`.
+    ///
+    /// Returns `Path`, whose last point is its first.
+    ///
+    /// Raises HeatwalkError as `loop`, and where the loop shrinks to a point.
+    #[pyo3(signature = (places, *, progress=None))]
+    fn closed_geodesic<'py>(
+        &self,
+        py: Python<'py>,
+        places: &Bound<'_, PyAny>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        self.told_loop(py, places, true, progress)
+    }
+
+    /// Closed geodesics around the handles and through them, two of each, the shortest first.
+    ///
+    /// Returns a list of `Path`, empty where there are no handles.
+    #[pyo3(signature = (*, progress=None))]
+    fn handle_loops<'py>(&self, py: Python<'py>, progress: Option<Py<PyAny>>) -> PyResult<Bound<'py, PyList>> {
+        let loops = run(py, progress, |progress| Ok(handle_loops(self.surface(), progress)?))?;
+        let told = loops.iter().map(|path| self.told_as_path(py, path, path.length()));
+        PyList::new(py, told.collect::<PyResult<Vec<_>>>()?)
+    }
+
     /// Walks as straight as the surface lets one.
     ///
     /// `start`: a place as a source of `distance`. `direction`: three floats, of any length, whose part along the surface counts: along
@@ -138,6 +203,22 @@ fn shortest(solver: &mut DistanceSolver, [start, end]: [SurfacePoint; 2], progre
 }
 
 impl Mesh {
+    /// The closed curve through places, or a closed geodesic that it tightens to.
+    fn told_loop<'py>(
+        &self,
+        py: Python<'py>,
+        places: &Bound<'_, PyAny>,
+        is_free: bool,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let places = several("place", places)?;
+        let path = run(py, progress, |progress| {
+            let held = geodesic_loop(&self.geometry()?, &self.points(&places)?, progress)?;
+            Ok(if is_free { closed_geodesic(self.surface(), &held)? } else { held })
+        })?;
+        self.told_as_path(py, &path, path.length())
+    }
+
     fn told_as_path<'py>(&self, py: Python<'py>, path: &Path, cost: f64) -> PyResult<Bound<'py, PyAny>> {
         let (points, (faces, weights)) = self.told_path(py, path);
         named(py, "Path", (points, faces, weights, path.length(), cost))

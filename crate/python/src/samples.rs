@@ -12,7 +12,7 @@ use crate::errors::Failure;
 use crate::interrupt::run;
 use crate::mesh::Mesh;
 use crate::named::named;
-use crate::sources::{one, several};
+use crate::sources::{initial_distances, one, several};
 
 #[pymethods]
 impl Mesh {
@@ -30,7 +30,7 @@ impl Mesh {
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let sources = several("source", sources)?;
-        let initial = initial.map(|initial| Given::new("initial", initial)?.row(None)?.floats()).transpose()?;
+        let initial = initial_distances(initial)?;
         let found = run(py, progress, |progress| {
             let sources = self.sources(&sources, initial.as_deref())?;
             Ok(cells(&self.geometry()?, &sources, progress)?)

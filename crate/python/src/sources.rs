@@ -73,6 +73,19 @@ pub fn place(name: &str, value: &Bound<'_, PyAny>) -> Result<Option<Wanted>> {
     }
 }
 
+/// The distances that sources start from, if such are given.
+pub fn initial_distances(value: Option<&Bound<'_, PyAny>>) -> Result<Option<Vec<f64>>> {
+    value.map(|value| Given::new("initial", value)?.row(None)?.floats()).transpose()
+}
+
+/// Refuses anything but one `what` for each source.
+pub fn require_one_each(sources: usize, given: usize, what: &str) -> Result<()> {
+    if sources == given {
+        return Ok(());
+    }
+    Err(Failure::new("bad-shape", format!("there are {sources} sources and {given} {what}")))
+}
+
 fn vertex(index: u64) -> Wanted {
     Wanted::On(InputPlace::Vertex(usize::try_from(index).unwrap_or(usize::MAX)))
 }
@@ -134,10 +147,7 @@ impl Mesh {
         let points = self.points(wanted)?;
         let surface: &Surface = self.surface();
         let Some(initial) = initial else { return Ok(points.into_iter().map(Source::from).collect()) };
-        if initial.len() != points.len() {
-            let sentence = format!("there are {} sources and {} initial distances", points.len(), initial.len());
-            return Err(Failure::new("bad-shape", sentence));
-        }
+        require_one_each(points.len(), initial.len(), "initial distances")?;
         points.into_iter().zip(initial).map(|(point, &initial)| Ok(surface.source(point, initial)?)).collect()
     }
 

@@ -87,6 +87,37 @@ def test_log_maps_of_the_plane_are_the_plane(flat: heatwalk.Mesh) -> None:
     assert np.allclose(map.axes, [[0, 1, 0], [-1, 0, 0]], **CLOSE)
     assert np.allclose(map.distances, np.linalg.norm(map.coordinates, axis=1), **CLOSE)
     assert np.allclose(flat.log_map(84).axes, [[1, 0, 0], [0, 1, 0]], **CLOSE)
+    for method in ["propagation", "heat"]:
+        other = flat.log_map(84, [0.0, 2.0, 0.0], method)
+        assert np.allclose(other.coordinates, map.coordinates, atol=1e-6)
+        assert np.allclose(other.axes, map.axes, **CLOSE)
+    with pytest.raises(HeatwalkError, match="log maps are not made by auto; choose one of exact, propagation, heat"):
+        flat.log_map(84, None, "auto")
+
+
+def test_loops_go_around_a_torus() -> None:
+    torus = heatwalk.shape("torus")
+    held = torus.loop([0, 40, 80])
+    assert np.allclose(held.points[0], held.points[-1]) and held.length > 0
+    free = torus.closed_geodesic([0, 40, 80])
+    assert np.allclose(free.points[0], free.points[-1]) and free.length <= held.length * (1 + 1e-12)
+    handles = torus.handle_loops()
+    assert len(handles) == 2 and handles[0].length <= handles[1].length
+    assert handles[0].length == pytest.approx(torus.loop(0).length, rel=0.05)
+    ball = heatwalk.shape("icosphere")
+    assert ball.handle_loops() == []
+    for shrinking in [lambda: ball.loop([0]), lambda: ball.closed_geodesic([0, 1, 2])]:
+        with pytest.raises(HeatwalkError, match="point"):
+            shrinking()
+
+
+def test_bezier_curves_of_the_plane_are_polynomials(flat: heatwalk.Mesh) -> None:
+    ends = flat.vertices[[0, 40, 84]]
+    curve = flat.bezier([0, 40, 84])
+    assert np.allclose(curve.points[[0, -1]], ends[[0, 2]], **CLOSE)
+    t = np.linspace(0, 1, 2001)[:, None]
+    samples = (1 - t) ** 2 * ends[0] + 2 * t * (1 - t) * ends[1] + t**2 * ends[2]
+    assert curve.length == pytest.approx(np.linalg.norm(np.diff(samples, axis=0), axis=1).sum(), rel=1e-3)
 
 
 def test_vectors_are_carried_along_the_surface(flat: heatwalk.Mesh, ball: heatwalk.Mesh) -> None:

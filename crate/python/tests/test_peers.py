@@ -181,8 +181,12 @@ def test_paths_and_walks() -> None:
     assert np.allclose(through[[0, -1]], V[[0, 15]])
     # There is nothing between in the plane, so that it is the straight line.
     assert np.linalg.norm(np.diff(through, axis=0), axis=1).sum() == pytest.approx(np.sqrt(2))
-    with pytest.raises(NotImplementedError, match="find_geodesic_loop"):
+    # In the plane every loop shrinks to a point.
+    with pytest.raises(HeatwalkError, match="point"):
         solver.find_geodesic_loop([5, 6, 10])
+    torus = heatwalk.shape("torus")
+    loop = pp3d.EdgeFlipGeodesicSolver(torus.vertices, torus.faces).find_geodesic_loop([0, 40, 80])
+    assert np.allclose(loop, torus.closed_geodesic([0, 40, 80]).points)
     tracer = pp3d.GeodesicTracer(V, F)
     # As far as the part along the surface is long.
     for direction in [(0.3, 0.1, 0.0), [0.3, 0.1, 1.0]]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NoReturn
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -43,11 +41,10 @@ class EdgeFlipGeodesicSolver:
         v_list: ArrayLike,
         max_iterations: int | None = None,
         max_relative_length_decrease: float | None = None,
-    ) -> NoReturn:
-        """Not there yet."""
-        raise NotImplementedError(
-            "find_geodesic_loop: Heatwalk finds no closed geodesics; find_geodesic_path_poly finds paths with two ends"
-        )
+    ) -> Floats:
+        """(k, 3) floats, the points of a closed geodesic, the last of which is the first: what the loop through the vertices tightens to.
+        HeatwalkError where that is a point."""
+        return self._mesh.closed_geodesic(vertices_of(v_list)).points
 
 
 class GeodesicTracer:
