@@ -125,7 +125,7 @@ fn main() -> heatwalk::Result<()> {
     );
     println!("|---|---|---|---|---|---|---|---|");
     for patch in PATCHES {
-        let mut errors = vec![[0.0, 0.0_f64]; 7];
+        let mut errors = [[0.0, 0.0_f64]; 7];
         for source in SOURCES {
             let truth = patch.distances(FINER, Cut::Alternating, source)?;
             let by = |cut| patch.distances(1, cut, source);

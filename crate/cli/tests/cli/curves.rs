@@ -80,5 +80,6 @@ fn what_is_no_curve_is_named() {
     let far = refused(&folder, &["distance", "two.obj", "--curve", "0 4", "--bridge", "off"]);
     assert!(far.contains("curve 0"), "{far}");
     assert!(refused(&folder, &["distance", "torus.ply", "--curve", "boundary"]).contains("no boundary"));
-    assert!(refused(&folder, &["distance", "shape:cube", "--curve", "0 1"]).contains("--curve is for surfaces"));
+    let inside = refused(&folder, &["distance", "shape:cube", "--curve", "0 1"]);
+    assert!(inside.contains("inside of tetrahedra there are no curves"), "{inside}");
 }
