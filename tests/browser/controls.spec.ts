@@ -3,6 +3,7 @@ import { expect, everyWorkspace, test } from '../page';
 
 /** Settings that say what the next stroke or filling will be, or how the picture moves in time. */
 const LATER = new Set([
+  'section-decals › Image',
   'section-ground › Tool',
   'section-ground › Size',
   'section-ground › Soft edge',
