@@ -22,7 +22,7 @@ const [LEAST, MOST] = [0.005, 1] as const;
 const STEPS = 200;
 
 export function decalsSection(session: Session): HTMLElement {
-  const { scene, shown, decal: selected } = session;
+  const { scene, shown, decal: selected, decals: lying } = session;
   const list = h('ul', { class: 'sources' });
   const trouble = h('p', { class: 'quiet', role: 'status' });
   const attempt = (work: () => void | Promise<void>) => () =>
@@ -95,6 +95,7 @@ export function decalsSection(session: Session): HTMLElement {
     else if (state.decals !== previous.decals) editor.show();
   });
   selected.watch(show);
+  lying.watch((laid) => (keep.disabled = laid.length === 0));
   shown.watch((value, previous) => {
     if (value?.opened !== previous?.opened) show();
   });
