@@ -61,8 +61,8 @@ test('a first visit: hints, a dropped mesh, sources, the walker, undo, a link, a
   expect(difference(two, await look('redone'))).toBeLessThan(SAME);
 
   // What is no mesh loses nothing.
-  await heatwalk.drop([['notes.txt', 'no mesh']]);
-  await expect(page.getByText('No mesh found in notes.txt')).toBeVisible();
+  await heatwalk.drop([['notes.doc', 'no mesh']]);
+  await expect(page.getByText('No mesh found in notes.doc')).toBeVisible();
   await page.getByRole('button', { name: 'Close the message' }).first().click();
   expect(difference(two, await look('after a file that is none'))).toBeLessThan(SAME);
 

@@ -70,8 +70,8 @@ test.describe('in a browser that wants French', () => {
     );
 
     // What is refused is told in French; the scene stays.
-    await heatwalk.drop([['leer.txt', 'nothing']]);
-    await expect(page.getByText('Aucun maillage trouvé dans leer.txt')).toBeVisible();
+    await heatwalk.drop([['leer.doc', 'nothing']]);
+    await expect(page.getByText('Aucun maillage trouvé dans leer.doc')).toBeVisible();
 
     for (const [name, content, told] of REFUSED) {
       await heatwalk.drop([[name, content]]);
@@ -98,8 +98,8 @@ test('French is chosen in the help at once: the scene, undo, what is open and th
   const before = await scene();
   const solves = await page.evaluate(() => window.heatwalk.solves);
   // What was said before, too.
-  await heatwalk.drop([['leer.txt', 'nothing']]);
-  await expect(page.getByText('No mesh found in leer.txt')).toBeVisible();
+  await heatwalk.drop([['leer.doc', 'nothing']]);
+  await expect(page.getByText('No mesh found in leer.doc')).toBeVisible();
 
   await page.getByRole('button', { name: 'Help', exact: true }).click();
   await page.getByRole('combobox', { name: 'Language' }).selectOption('fr');
@@ -114,7 +114,7 @@ test('French is chosen in the help at once: the scene, undo, what is open and th
   expect(await help.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
   await page.setViewportSize(size);
   await page.keyboard.press('Escape');
-  await expect(page.getByText('Aucun maillage trouvé dans leer.txt')).toBeVisible();
+  await expect(page.getByText('Aucun maillage trouvé dans leer.doc')).toBeVisible();
   await expect(page.locator('#section-numbers')).toContainText(/Distance maximale\d,\d+ unités/);
   await expect(page.locator('#section-numbers')).toHaveAttribute('open');
   await expect(page.getByRole('button', { name: 'Ajouter', exact: true }).first()).toHaveAttribute(
