@@ -1,7 +1,6 @@
 /** What is nearest to each source: asks for it, and shows it as colors with borders. Loaded when it is first wanted. */
-import type { CellWish, ExactSurface, FoundCells, Moment, OpenedMesh, Source, SpreadWish } from '../protocol';
-import { Cancelled, WorkerLost } from '../solver/remote';
-import { type Answer, isSameMoment } from '../solver/engine';
+import type { CellWish, ExactSurface, FoundCells, OpenedMesh, Source, SpreadWish } from '../protocol';
+import type { Answer } from '../solver/engine';
 import { hasCosts, openCost, isWeighted } from '../state/ground';
 import { entry } from '../state/entry';
 import type { SceneState } from '../state/scene';
@@ -10,7 +9,9 @@ import type { Vector } from '../state/vector';
 import { colouredCells } from '../view/cells';
 import { RIM } from '../view/layers';
 import { layPatches } from '../view/patches';
-import { type Asked as OnSurface, isSameSurface, placesOf, surfaceOf } from './exact';
+import { Beside } from './beside';
+import { type Asked as OnSurface, isMoving, isSameSurface, placesOf, surfaceOf } from './exact';
+import type { Shown } from './prepare';
 import type { Session } from './session';
 import { t, type Words } from '../texts';
 
@@ -20,75 +21,54 @@ const FIRST = Float64Array.of(1, 0, 0);
 /** What cells depend on. */
 interface Asked extends OnSurface {
   question: Answer['question'];
-  /** The pose that is shown. */
-  moment: Moment | null;
+  shown: Shown;
 }
 
-export class Cells {
-  readonly #session: Session;
-  #asked: Asked | null = null;
-  #finding: Promise<void> = Promise.resolve();
+export class Cells extends Beside<Asked, FoundCells> {
   #question = 0;
 
-  constructor(session: Session) {
-    this.#session = session;
-  }
-
-  /** Shows what the scene wants by now. Resolves when it is shown, or something else is wanted. */
-  follow(): Promise<void> {
-    const { engine, shown, scene, pose, animator, paused, cells } = this.#session;
-    const isMoving = animator.plays && !paused.value;
-    const isWanted = scene.state.overlays.includes('cells') && !isMoving;
+  protected get wanted(): Asked | null | undefined {
+    const { engine, shown, scene, pose } = this.session;
     const { value } = shown;
-    if (!engine || !value || !isWanted || value.answer.question.quick || whyNoCells(value, scene.state)) {
-      this.#clear();
-      return Promise.resolve();
-    }
-    const { opened, answer } = value;
+    if (!scene.state.overlays.includes('cells') || !engine || !value || isMoving(this.session)) return null;
+    const { question } = value.answer;
+    if (question.quick || whyNoCells(value, scene.state)) return null;
     // Another answer is on its way.
-    if (allSources(scene.state) !== answer.question.sources) return this.#finding;
-    const asked = { engine, question: answer.question, moment: pose.value };
-    if (this.#asked && isSame(this.#asked, asked)) return this.#finding;
-    if (this.#asked && !isSameSurface(this.#asked, asked)) this.#clear();
-    else if (cells.value) cells.value = { ...cells.value, outdated: true };
-    this.#asked = asked;
+    if (allSources(scene.state) !== question.sources) return undefined;
+    return { engine, question, moment: pose.value, shown: value };
+  }
+
+  protected isSame(one: Asked, other: Asked): boolean {
+    return one.question.sources === other.question.sources && isSameSurface(one, other);
+  }
+
+  protected async find(asked: Asked, isWanted: () => boolean): Promise<FoundCells | null> {
+    const { opened } = asked.shown;
+    const wish = wishOf(opened, asked.question, this.session.scene.state);
     this.#question += 1;
-    const wish = wishOf(opened, answer.question, scene.state);
-    this.#finding = this.#find(asked, { ...wish, ...surfaceOf(opened, asked), question: this.#question });
-    return this.#finding;
-  }
-
-  async #find(asked: Asked, wish: CellWish): Promise<void> {
-    try {
-      for (;;) {
-        const found = await asked.engine.inTurn.cells(wish);
-        if (this.#asked !== asked) return;
-        if (found) return this.#show(found);
-      }
-    } catch (error) {
-      if (this.#asked !== asked) return;
-      this.#clear();
-      if (!(error instanceof Cancelled || error instanceof WorkerLost)) this.#session.fail(error);
+    const whole = { ...wish, ...surfaceOf(opened, asked), question: this.#question };
+    while (isWanted()) {
+      const found = await asked.engine.inTurn.cells(whole);
+      if (found) return found;
     }
+    return null;
   }
 
-  #show(found: FoundCells): void {
-    const { view, shown, cells } = this.#session;
-    if (!shown.value) return;
-    const { opened, places } = shown.value;
-    const isOpen = opened.report.boundaryLoops > 0;
-    layPatches(view, 'cells', colouredCells(opened.surface, places.drawn, found, places.drawnDiameter, isOpen));
-    view.setEdges('cells', [{ ...BORDER, ends: found.ends }]);
+  protected show(found: FoundCells | null): void {
+    const { view, shown, cells } = this.session;
+    const { opened, places } = shown.value ?? {};
+    const patches =
+      found && opened && places
+        ? colouredCells(opened.surface, places.drawn, found, places.drawnDiameter, opened.report.boundaryLoops > 0)
+        : null;
+    layPatches(view, 'cells', patches);
+    view.setEdges('cells', found ? [{ ...BORDER, ends: found.ends }] : []);
     cells.value = found;
   }
 
-  #clear(): void {
-    if (!this.#asked) return;
-    this.#asked = null;
-    const { view, cells } = this.#session;
-    layPatches(view, 'cells', null);
-    view.setEdges('cells', []);
-    cells.value = null;
+  protected override outdate(): void {
+    const { cells } = this.session;
+    if (cells.value) cells.value = { ...cells.value, outdated: true };
   }
 }
 
@@ -108,10 +88,10 @@ export function whyNoCells(
  * cells; or the one place that is their mean. Null where there is no surface to ask.
  */
 export async function otherSources(session: Session, wanted: SpreadWish['wanted']): Promise<readonly Source[] | null> {
-  const { engine, shown, scene } = session;
+  const { engine, shown, scene, pose } = session;
   if (!engine || !shown.value) return null;
   const { opened, answer } = shown.value;
-  const asked = { engine, question: answer.question };
+  const asked = { engine, question: answer.question, moment: pose.value };
   const { sources } = scene.state;
   const places = sources.length > 0 ? placesOf(opened, sources) : { triangles: Uint32Array.of(0), weights: FIRST };
   const numbers = await engine.inTurn.spread({ ...surfaceOf(opened, asked), places, wanted });
@@ -127,11 +107,6 @@ export async function otherSources(session: Session, wanted: SpreadWish['wanted'
 
 function vertexOf({ surface: { triangles }, inputVertices }: OpenedMesh, corner: number): number {
   return entry(inputVertices, entry(triangles, corner));
-}
-
-function isSame(one: Asked, other: Asked): boolean {
-  const areSame = one.question.sources === other.question.sources && isSameMoment(one.moment, other.moment);
-  return areSame && isSameSurface(one, other);
 }
 
 function wishOf(

@@ -1,5 +1,5 @@
 /** Images on the surface: asks how each lies, and shows them. Loaded with the first one. */
-import type { DecalWish, LaidDecal, OpenedMesh } from '../protocol';
+import type { DecalWish, LaidDecal, Moment, OpenedMesh } from '../protocol';
 import type { Engine } from '../solver/engine';
 import { Cancelled, WorkerLost } from '../solver/remote';
 import type { Decal, LaidImage } from '../state/decals';
@@ -9,7 +9,7 @@ import type { Patches } from '../view/layers';
 import { decalImage } from '../view/decalimages';
 import { laidImage } from '../view/decals';
 import { layPatches, together } from '../view/patches';
-import { placesOf, surfaceOf } from './exact';
+import { isMoving, placesOf, surfaceOf } from './exact';
 import { imageFile } from './images';
 import type { Shown } from './prepare';
 import type { Session } from './session';
@@ -19,6 +19,8 @@ export class Decals {
   /** What was laid last, of each in the scene's order. */
   #laid: (Laid | undefined)[] = [];
   #latest: Promise<void> | null = null;
+  /** The pose that they are laid in. */
+  #moment: Moment | null = null;
   /** What the view shows. */
   #shown: unknown[] = [];
 
@@ -58,11 +60,15 @@ export class Decals {
 
   /** What images lie on now; null: on nothing. */
   get #basis(): Basis | null {
-    const { engine, shown, scene } = this.#session;
+    const { engine, shown, scene, pose } = this.#session;
     const { value } = shown;
     if (!engine || !value || value.opened.interior || engine.opened !== value.opened) return null;
     const { opened, places, answer } = value;
-    const surface = surfaceOf(opened, { engine, question: answer.question });
+    const { question } = answer;
+    // While the model moves, images move along as they lie.
+    const moment = isMoving(this.#session) ? this.#moment : pose.value;
+    this.#moment = moment;
+    const surface = surfaceOf(opened, { engine, question, moment });
     return { engine, opened, places, surface, decals: scene.state.decals };
   }
 

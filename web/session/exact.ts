@@ -1,15 +1,23 @@
 /** The surface on which the worker finds what is beside the field by exact distances: cells, images. */
 import { Failure } from '../error';
-import type { ExactSurface, MeshPoint, OpenedMesh, TrianglePlaces } from '../protocol';
+import type { ExactSurface, MeshPoint, Moment, OpenedMesh, TrianglePlaces } from '../protocol';
 import { type Answer, type Engine, isSameMoment } from '../solver/engine';
 import { entry } from '../state/entry';
 import { mayBeJoined } from '../state/scene';
+import type { Session } from './session';
 import { t } from '../texts';
 
 /** What such a surface depends on. */
 export interface Asked {
   engine: Engine;
-  question: Pick<Answer['question'], 'bridge' | 'links' | 'ground' | 'moment'>;
+  question: Pick<Answer['question'], 'bridge' | 'links' | 'ground'>;
+  /** The pose that is shown, in which it is measured. */
+  moment: Moment | null;
+}
+
+/** Whether the model moves by itself: what is found in one pose is not that of the next. */
+export function isMoving({ animator, paused }: Session): boolean {
+  return animator.plays && !paused.value;
 }
 
 /** The surface that was asked last. */
@@ -22,10 +30,10 @@ export function surfaceOf(opened: OpenedMesh, asked: Asked): ExactSurface {
   return { surface: numbered.number, bridge: isJoined ? String(bridge) : 'off', links: isJoined ? links : 0 };
 }
 
-export function isSameSurface({ engine, question }: Asked, other: Asked): boolean {
+export function isSameSurface({ engine, question, moment }: Asked, other: Asked): boolean {
   return (
     engine === other.engine &&
-    isSameMoment(question.moment, other.question.moment) &&
+    isSameMoment(moment, other.moment) &&
     question.bridge === other.question.bridge &&
     question.links === other.question.links &&
     question.ground === other.question.ground

@@ -1,7 +1,6 @@
 /** Distance from the curves of the scene as wholes, with a sign: asks for it, and shows it in two colors. Loaded when it is first wanted. */
 import type { CurveDistances, CurveWish, MeshPoint, OpenedMesh } from '../protocol';
-import type { Answer, Engine } from '../solver/engine';
-import { Cancelled, WorkerLost } from '../solver/remote';
+import type { Answer } from '../solver/engine';
 import { entry } from '../state/entry';
 import { isWeighted } from '../state/ground';
 import type { Places } from '../state/places';
@@ -10,85 +9,50 @@ import { colourOfSide } from '../state/sides';
 import { isClosed, isCurve, type SourceSet } from '../state/sources';
 import { distance } from '../state/vector';
 import { patchesOfTiles } from '../view/cells';
-import { RIM } from '../view/layers';
+import { type Patches, RIM } from '../view/layers';
 import { layPatches } from '../view/patches';
+import { Beside } from './beside';
 import { longestStep } from './curves';
-import { isSameSurface, placesOf, surfaceOf } from './exact';
+import { type Asked as OnSurface, isMoving, isSameSurface, placesOf, surfaceOf } from './exact';
 import type { Shown } from './prepare';
-import type { Session } from './session';
 import { t, type Words } from '../texts';
 
 const LINE = { colour: RIM, width: 1.4 } as const;
 
 /** What they depend on. */
-interface Asked {
-  engine: Engine;
-  question: Answer['question'];
+interface Asked extends OnSurface {
   sets: readonly SourceSet[];
   period: number;
+  shown: Shown;
 }
 
-export class Offsets {
-  readonly #session: Session;
-  #asked: Asked | null = null;
-  #finding: Promise<void> = Promise.resolve();
-
-  constructor(session: Session) {
-    this.#session = session;
-  }
-
-  /** Shows what the scene wants by now. Resolves when it is shown, or something else is wanted. */
-  follow(): Promise<void> {
-    const { engine, shown, scene, animator, paused, dragging } = this.#session;
+export class Offsets extends Beside<Asked, CurveDistances> {
+  protected get wanted(): Asked | null | undefined {
+    const { engine, shown, scene, pose, dragging } = this.session;
     const { value } = shown;
-    const isMoving = animator.plays && !paused.value;
-    if (!scene.state.overlays.includes('curves') || !engine || !value || isMoving || whyNone(value, scene.state)) {
-      this.#clear();
-      return Promise.resolve();
-    }
-    const { question } = value.answer;
-    const asked = { engine, question, sets: scene.state.sets, period: scene.state.style.period };
-    if (this.#asked && isSame(this.#asked, asked)) return this.#finding;
-    if (this.#asked && !isSameSurface(this.#asked, asked)) this.#clear();
+    if (!scene.state.overlays.includes('curves') || !engine || !value || isMoving(this.session)) return null;
+    if (whyNone(value, scene.state)) return null;
     // While a curve is drawn, what was found before is shown.
-    if (dragging) return this.#finding;
-    this.#asked = asked;
-    this.#finding = this.#find(asked, value);
-    return this.#finding;
+    if (dragging) return undefined;
+    const { sets, style } = scene.state;
+    return { engine, question: value.answer.question, moment: pose.value, sets, period: style.period, shown: value };
   }
 
-  async #find(asked: Asked, value: Shown): Promise<void> {
-    try {
-      const found = await asked.engine.inTurn.curveDistances(wishOf(value, asked));
-      if (this.#asked === asked) this.#show(found);
-    } catch (error) {
-      if (this.#asked !== asked) return;
-      this.#clear();
-      // It is not asked again until something changes.
-      this.#asked = asked;
-      if (!(error instanceof Cancelled || error instanceof WorkerLost)) this.#session.fail(error);
-    }
+  protected isSame(one: Asked, other: Asked): boolean {
+    return one.sets === other.sets && one.period === other.period && isSameSurface(one, other);
   }
 
-  #show(found: CurveDistances): void {
-    const { view, shown, offsets } = this.#session;
-    if (!shown.value) return;
-    const { opened, places } = shown.value;
-    const isOpen = opened.report.boundaryLoops > 0;
-    const colourOf = (side: number, first: number) => colourAt(found, side, first);
-    const patches = patchesOfTiles(opened.surface, places.drawn, found, colourOf, places.drawnDiameter, isOpen);
+  protected find(asked: Asked): Promise<CurveDistances> {
+    return asked.engine.inTurn.curveDistances(wishOf(asked));
+  }
+
+  protected show(found: CurveDistances | null): void {
+    const { view, shown, offsets } = this.session;
+    const { opened, places } = shown.value ?? {};
+    const patches = found && opened && places ? patchesOf(found, opened, places) : null;
     layPatches(view, 'sides', patches);
-    view.setEdges('offsets', [{ ...LINE, ends: found.ends }]);
+    view.setEdges('offsets', found ? [{ ...LINE, ends: found.ends }] : []);
     offsets.value = found;
-  }
-
-  #clear(): void {
-    if (!this.#asked) return;
-    this.#asked = null;
-    const { view, offsets } = this.#session;
-    layPatches(view, 'sides', null);
-    view.setEdges('offsets', []);
-    offsets.value = null;
   }
 }
 
@@ -103,11 +67,7 @@ export function whyNone(
   return null;
 }
 
-function isSame(one: Asked, other: Asked): boolean {
-  return one.sets === other.sets && one.period === other.period && isSameSurface(one, other);
-}
-
-function wishOf({ opened, places }: Shown, { sets, period, ...asked }: Asked): CurveWish {
+function wishOf({ sets, period, shown: { opened, places }, ...asked }: Asked): CurveWish {
   const curves = curvesOf(sets, places);
   return {
     ...surfaceOf(opened, asked),
@@ -138,6 +98,11 @@ function curvesOf(sets: readonly SourceSet[], places: Places): { points: readonl
     const closed = pieces.length === 1 && isClosed(set) && isJoined(...ends);
     return pieces.filter(({ length }) => length > 1).map((points) => ({ points, closed }));
   });
+}
+
+function patchesOf(found: CurveDistances, { surface, report }: OpenedMesh, places: Places): Patches {
+  const colourOf = (side: number, first: number) => colourAt(found, side, first);
+  return patchesOfTiles(surface, places.drawn, found, colourOf, places.drawnDiameter, report.boundaryLoops > 0);
 }
 
 /** At the corner of a part whose weights begin at `first`. */

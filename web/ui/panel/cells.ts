@@ -9,10 +9,10 @@ import { isWeighted } from '../../state/ground';
 import { threeDigits, withUnit } from '../../state/measures';
 import type { Overlay } from '../../state/scene';
 import { isSameUnit, MODEL, ofModel, toldArea, unitOf } from '../../length';
-import { attribute, h } from '../dom';
-import { toggle } from '../widgets';
+import { h } from '../dom';
 import { finePercent } from '../words';
 import { entryAt } from './entries';
+import { overlaySwitch } from './overlay';
 import { savingCurves } from './saving';
 import { count, counted, t, type Words } from '../../texts';
 
@@ -25,11 +25,12 @@ const MOST_ROWS = 100;
 
 export function cellsControls(session: Session): HTMLElement[] {
   const { scene, shown, cells } = session;
-  const on = toggle(t('Cells'), (isOn) => {
-    const others = scene.state.overlays.filter((overlay) => overlay !== CELLS);
-    scene.edit({ overlays: isOn ? [...others, CELLS] : others });
-  });
-  attribute(on.element, 'title', t('What is nearest to each source, in colors, by exact distances'));
+  const on = overlaySwitch(
+    session,
+    CELLS,
+    t('Cells'),
+    t('What is nearest to each source, in colors, by exact distances'),
+  );
   const table = h('div', {});
   const many = h('input', {
     type: 'number',

@@ -3,9 +3,9 @@ import { isSameUnit, MODEL, unitOf } from '../../length';
 import type { Session } from '../../session/session';
 import { measure } from '../../state/measures';
 import type { Overlay } from '../../state/scene';
-import { attribute, h, say } from '../dom';
+import { h, say } from '../dom';
+import { overlaySwitch } from './overlay';
 import { savingCurves } from './saving';
-import { toggle } from '../widgets';
 import { counted, enumerated, sentences, t } from '../../texts';
 
 const LOOPS: Overlay = 'loops';
@@ -14,11 +14,12 @@ const MOST_TOLD = 12;
 
 export function loopsControls(session: Session): HTMLElement {
   const { scene, shown, loops } = session;
-  const on = toggle(t('Loops around handles'), (isOn) => {
-    const others = scene.state.overlays.filter((overlay) => overlay !== LOOPS);
-    scene.edit({ overlays: isOn ? [...others, LOOPS] : others });
-  });
-  attribute(on.element, 'title', t('Closed curves that cannot shrink to a point, as short as they can be'));
+  const on = overlaySwitch(
+    session,
+    LOOPS,
+    t('Loops around handles'),
+    t('Closed curves that cannot shrink to a point, as short as they can be'),
+  );
   const lengths = h('p', { class: 'quiet', role: 'status' });
   const saving = savingCurves(session, {
     label: t('Loops'),

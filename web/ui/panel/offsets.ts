@@ -6,8 +6,8 @@ import { measure } from '../../state/measures';
 import type { Overlay } from '../../state/scene';
 import { isCurve } from '../../state/sources';
 import { isSameUnit, MODEL, ofModel, unitOf } from '../../length';
-import { attribute, h, say } from '../dom';
-import { toggle } from '../widgets';
+import { h, say } from '../dom';
+import { overlaySwitch } from './overlay';
 import { savingCurves } from './saving';
 import { t } from '../../texts';
 
@@ -15,13 +15,10 @@ const CURVES: Overlay = 'curves';
 
 export function offsetsControls(session: Session): HTMLElement[] {
   const { scene, shown, offsets } = session;
-  const on = toggle(t('Distance from curves'), (isOn) => {
-    const others = scene.state.overlays.filter((overlay) => overlay !== CURVES);
-    scene.edit({ overlays: isOn ? [...others, CURVES] : others });
-  });
-  attribute(
-    on.element,
-    'title',
+  const on = overlaySwitch(
+    session,
+    CURVES,
+    t('Distance from curves'),
     t('Exact distance from all of a curve, not its places alone, negative inside; in two colors'),
   );
   const range = h('p', { class: 'quiet', role: 'status' });
