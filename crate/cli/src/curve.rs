@@ -11,7 +11,7 @@ use clap::Args;
 use heatwalk::exact::ExactGeometry;
 use heatwalk::{
     Choice, Curve, DistanceOptions, DistanceSolver, Method, Place, Sign, SignedDistance, Soup, Surface, SurfacePoint,
-    VertexData, curve_distance, curve_search, go_on, signed_curve_distance, signed_curve_distance_at,
+    VertexData, curve_distance, curve_search, go_on, signed_curve_distance,
 };
 use serde_json::Value;
 
@@ -92,8 +92,8 @@ impl Course {
 pub struct Found {
     /// `#V` of the surface.
     pub values: VertexData<f64>,
-    /// How their sign was found, if they have one.
-    sign: Option<Sign>,
+    /// With their sign, if they have one.
+    signed: Option<SignedDistance>,
     /// Milliseconds that they took without the curves.
     pub solve_ms: f64,
     length: f64,
@@ -148,25 +148,24 @@ impl Curves {
         }
         let geometry = Arc::clone(solver.exact_geometry());
         let start = Instant::now();
-        let (values, sign) = if self.signed {
-            let SignedDistance { values, sign } = signed_curve_distance(&geometry, &curves, self.sign, &mut go_on)?;
-            (values, Some(sign))
+        let (values, signed) = if self.signed {
+            let signed = signed_curve_distance(&geometry, &curves, self.sign, &mut go_on)?;
+            (signed.values.clone(), Some(signed))
         } else {
             (curve_distance(&geometry, &curves, &mut go_on)?, None)
         };
         let solve_ms = milliseconds(start);
         let lengths = curves.iter().map(|curve| curve.length(geometry.surface()));
         let length = lengths.sum::<heatwalk::Result<f64>>()?;
-        Ok(Found { values, sign, solve_ms, length, curves, geometry })
+        Ok(Found { values, signed, solve_ms, length, curves, geometry })
     }
 }
 
 impl Found {
     /// Distances at places of the surface, with the sign, if they have one.
     pub fn at(&self, places: &[Place]) -> heatwalk::Result<Vec<f64>> {
-        if let Some(sign) = self.sign {
-            let (_, distances) = signed_curve_distance_at(&self.geometry, &self.curves, places, sign, &mut go_on)?;
-            return Ok(distances);
+        if let Some(signed) = &self.signed {
+            return signed.at(&self.geometry, &self.curves, places, &mut go_on);
         }
         let mut front = curve_search(&self.geometry, &self.curves, places)?;
         while !front.advance(f64::INFINITY, usize::MAX)? {}
@@ -182,7 +181,7 @@ impl Found {
             ("curve_length", self.length.into()),
             ("max_distance", finite().fold(f64::NEG_INFINITY, f64::max).into()),
         ];
-        if let Some(sign) = self.sign {
+        if let Some(SignedDistance { sign, .. }) = self.signed {
             facts.push(("min_distance", finite().fold(f64::INFINITY, f64::min).into()));
             facts.push(("sign", sign.name().into()));
         }

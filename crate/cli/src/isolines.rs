@@ -1,11 +1,13 @@
 //! `heatwalk isolines`.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use anyhow::{Result, bail};
 use glam::DVec3;
 use heatwalk::{Answer, Error, FaceId, Place, Surface, Unit, VertexData, go_on};
-use heatwalk_curves::{Field, Isolines, Levels, Places, Refined, Sheet, Strips, TRUE_TO, is_continuous, write};
+use heatwalk_curves::{
+    Field, Isolines, Levels, MOST_ROUNDS, Places, Refined, Sheet, Strips, TRUE_TO, is_continuous, write,
+};
 use serde_json::json;
 
 use crate::args;
@@ -15,9 +17,6 @@ use crate::output::{CurveFormat, Output, SheetFormat};
 use crate::question::{Posed, pose};
 use crate::report::milliseconds;
 use crate::volume;
-
-/// For isolines that follow the distance itself.
-const MOST_TIME: Duration = Duration::from_secs(2);
 
 pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     let question = &arguments.question;
@@ -53,20 +52,18 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
         (_, Some(count)) => Levels::counted(count, field.largest())?,
         (None, None) => Levels::at(&arguments.values)?,
     };
-    let in_time = |places: &Places| {
+    let of_surface = |places: &Places| -> Vec<Place> {
         let place = |(&triangle, &weights): (&u32, &[f64; 3])| Place::Face { face: faces[triangle as usize], weights };
-        let is_late = start.elapsed() > MOST_TIME;
-        (!is_late).then(|| places.triangles.iter().zip(&places.weights).map(place).collect::<Vec<Place>>())
+        places.triangles.iter().zip(&places.weights).map(place).collect()
     };
     let refined = match &asked {
         Asked::Curves(found) => {
-            Some(field.refined(&levels, |places| in_time(places).map(|places| found.at(&places)).transpose()))
+            Some(field.refined(&levels, MOST_ROUNDS, |places| found.at(&of_surface(places)).map(Some)))
         }
         Asked::Sources(answer) => match prepared.solver.place_distances(answer) {
             Ok(distances) => distances.map(|distances| {
-                field.refined(&levels, |places| {
-                    let at = |places: Vec<Place>| places.into_iter().map(|place| distances.at(place)).collect();
-                    in_time(places).map(at).transpose()
+                field.refined(&levels, MOST_ROUNDS, |places| {
+                    of_surface(places).into_iter().map(|place| distances.at(place)).collect::<Result<_, _>>().map(Some)
                 })
             }),
             Err(Error::NotExact) => None,

@@ -29,6 +29,6 @@ pub use error::{Error, MAX_DEFECT, MOST_LEVELS, NotDevelopable, Result};
 pub use field::{Field, is_continuous};
 pub use isolines::{Curve, Isoline, Isolines, Kind};
 pub use levels::Levels;
-pub use refine::{Places, Refined, TRUE_TO};
+pub use refine::{MOST_ROUNDS, Places, Refined, TRUE_TO};
 pub use sheet::{Plane, Sheet};
 pub use strips::Strips;

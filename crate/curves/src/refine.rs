@@ -19,10 +19,13 @@ use crate::levels::Levels;
 pub const TRUE_TO: f64 = 1e-3;
 
 /// Divisions one after another, at most: of edges as long as the model, a millionth is left.
-const MOST_ROUNDS: usize = 20;
+pub const MOST_ROUNDS: usize = 20;
 
-/// Places that are asked for at once.
-const BATCH: usize = 256;
+/// Places that are asked for, at most: a limit in time would give other isolines each time.
+const MOST_PLACES: usize = 1 << 18;
+
+/// Edges of which the middles tell whether a line is the source.
+const ENOUGH: usize = 256;
 
 /// Distances grow by less than this share of their usual slope where paths from two sides meet in a triangle, at an angle that matters.
 const RIDGE: f64 = 0.95;
@@ -78,14 +81,15 @@ struct Refinement<'a> {
 
 impl Field {
     /// Divides triangles along isolines until their lengths are right to [`TRUE_TO`]. Distances are those of shortest paths at the
-    /// vertices; `ask` gives them at other places, or none when there is no more time. Loops that lie inside of a triangle as a
-    /// whole may be missed. A field whose source is a line along edges stays as it is.
+    /// vertices; `ask` gives them at other places, or none where they are not known. Loops that lie inside of a triangle as a
+    /// whole may be missed. They are asked for in so many rounds at most, of which each halves what it divides. A field whose source is a line along edges stays as it is.
     ///
     /// # Errors
     /// Those of `ask`.
     pub fn refined<E>(
         &self,
         levels: &Levels,
+        rounds: usize,
         mut ask: impl FnMut(&Places) -> Result<Option<Vec<f64>>, E>,
     ) -> Result<Refined, E> {
         let mut refinement = Refinement::new(self);
@@ -95,18 +99,17 @@ impl Field {
         if middles.is_none_or(|middles| middles.iter().any(|&distance| distance > least)) {
             return Ok(Refined { field: self.clone(), is_true: false });
         }
-        for _ in 0..MOST_ROUNDS {
+        let mut left = MOST_PLACES;
+        for _ in 0..rounds {
             let ends = refinement.edges_to_divide(levels);
             if ends.is_empty() {
                 return Ok(Refined { field: refinement.into_field(), is_true: true });
             }
-            let mut distances = Vec::with_capacity(ends.len());
-            for batch in ends.chunks(BATCH) {
-                match ask(&refinement.places(batch))? {
-                    Some(more) => distances.extend(more),
-                    None => return Ok(Refined { field: refinement.into_field(), is_true: false }),
-                }
+            if ends.len() > left {
+                break;
             }
+            left -= ends.len();
+            let Some(distances) = ask(&refinement.places(&ends))? else { break };
             refinement.divide(&ends, &distances);
         }
         Ok(Refined { field: refinement.into_field(), is_true: false })
@@ -157,7 +160,7 @@ impl<'a> Refinement<'a> {
             sides(part.corners).into_iter().filter(is_least).map(move |side| (side, origin))
         };
         let finite = self.parts.iter().filter(|_| least.is_finite());
-        (least, finite.flat_map(of).take(BATCH).collect())
+        (least, finite.flat_map(of).take(ENOUGH).collect())
     }
 
     /// The edges of triangles that isolines may cross which they are too coarse for, each with a triangle of the field.

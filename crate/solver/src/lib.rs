@@ -88,9 +88,7 @@ pub use accuracy::RelativeError;
 pub use cells::{CellMap, CellSearch, Cells, cell_map, cells};
 pub use choice::{Choice, UnknownChoice};
 pub use cost::{Costs, tobler};
-pub use curve::{
-    Curve, Line, SignedDistance, curve_distance, curve_search, signed_curve_distance, signed_curve_distance_at,
-};
+pub use curve::{Curve, Line, SignedDistance, curve_distance, curve_search, signed_curve_distance};
 pub use dijkstra::{edge_path, edge_polyline};
 pub use directions::{LogMap, LogMapSearch, log_map, propagated_log_map, transport};
 pub use distance::{Distance, PortalCrossing};

@@ -12,7 +12,7 @@ use glam::{DVec2, DVec3, dvec2};
 use heatwalk::exact::{ExactGeometry, Wavefront, exact_distance};
 use heatwalk::{
     Costs, Curve, Element, Error, FaceId, Line, Place, Sign, Soup, Source, Surface, VertexData, VertexId,
-    curve_distance, curve_search, go_on, signed_curve_distance, signed_curve_distance_at,
+    curve_distance, curve_search, go_on, signed_curve_distance,
 };
 use heatwalk_shapes as shapes;
 
@@ -347,8 +347,8 @@ fn places_have_the_distance_of_vertices_with_their_sign() {
     let curve = through(&geometry, &corners, true);
     let places = some_places(&soup, &mut random, 200);
     for sign in [Sign::Nearest, Sign::Heat] {
-        let (found, at) =
-            signed_curve_distance_at(&geometry, from_ref(&curve), &places, sign, &mut go_on).expect("distances");
+        let found = signed_curve_distance(&geometry, from_ref(&curve), sign, &mut go_on).expect("distances");
+        let at = found.at(&geometry, from_ref(&curve), &places, &mut go_on).expect("distances");
         assert_eq!(found.sign, sign);
         for (place, found) in places.iter().zip(at) {
             let (right, is_left) = to_polygon(&points, true, place.position(&surface).truncate());

@@ -24,17 +24,13 @@ const NONE = 0xffffffff;
 
 export const loaded = moduleOnDemand(() => import('../../wasm/curves/heatwalk_curves.js'), curvesAddress);
 
-/** Milliseconds in which isolines are made to follow the distance itself. */
-const MOST_TIME = 2000;
-
-/** The distances at places, in a unit; nothing where they are not known, and when there is no more time. */
+/** The distances at places, in a unit; nothing where they are not known. */
 function distancesAt(
   solver: wasm.Solver,
   unit: LengthUnit,
 ): (faces: Uint32Array, weights: Float64Array) => Float64Array | undefined {
-  const end = performance.now() + MOST_TIME;
   return (faces, weights) => {
-    const found = performance.now() < end ? solver.exact_distances_in(faces, weights) : undefined;
+    const found = solver.exact_distances_in(faces, weights);
     return found && scaled(found, unit);
   };
 }

@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::field::Field;
 use crate::isolines::{Isoline, Isolines, Kind};
 use crate::levels::Levels;
-use crate::refine::{Places, Refined};
+use crate::refine::{MOST_ROUNDS, Places, Refined};
 use crate::sheet::Sheet;
 use crate::strips::Strips;
 use crate::write;
@@ -52,7 +52,7 @@ impl From<Error> for Failure {
 impl Curves {
     /// Traces isolines: `positions` are `#V × 3`, `triangles` `#F × 3`, `distances` `#V`. They are at these `values` or, where there
     /// are none, at the multiples of a `spacing`. Where distances are exact, `ask` gives those at other places, which are triangles
-    /// and three weights each, or nothing when there is no more time: isolines follow them then.
+    /// and three weights each, or nothing where they are not known: isolines follow them then.
     ///
     /// # Errors
     /// As [`Field::new`] and [`Levels`], and what `ask` throws.
@@ -75,7 +75,7 @@ impl Curves {
             values => Levels::at(values)?,
         };
         let Refined { field, is_true } = match ask.dyn_ref::<Function>() {
-            Some(ask) => field.refined(&levels, |places| distances_at(ask, places))?,
+            Some(ask) => field.refined(&levels, MOST_ROUNDS, |places| distances_at(ask, places))?,
             None => Refined { field, is_true: false },
         };
         let isolines = Isolines::trace(&field, &levels);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use heatwalk::exact::ExactGeometry;
-use heatwalk::{Curve, Place, Sign, SignedDistance, go_on, signed_curve_distance, signed_curve_distance_at};
+use heatwalk::{Curve, Place, Sign, SignedDistance, go_on, signed_curve_distance};
 use heatwalk_bindings::{Failure, Result, transform};
 use heatwalk_surface::triangle;
 use wasm_bindgen::prelude::*;
@@ -14,17 +14,18 @@ use crate::clip::{WHOLE, below, fan};
 use crate::field::{Field, is_continuous};
 use crate::isolines::Isolines;
 use crate::levels::Levels;
-use crate::refine::{Places, Refined};
+use crate::refine::{MOST_ROUNDS, Places, Refined};
 
-/// For isolines that follow the distance itself, in milliseconds.
-const MOST_TIME: f64 = 1000.0;
+/// Triangles that are searched for isolines that follow the distance itself, at most, all searches together.
+const SEARCHED: usize = 1_000_000;
 
 /// The exact distance from curves, with the side as its sign, and its isolines.
 #[wasm_bindgen]
 pub struct CurveDistance {
     geometry: Arc<ExactGeometry>,
     curves: Vec<Curve>,
-    sign: Sign,
+    /// With another sign where `turn` is −1.
+    signed: SignedDistance,
     /// −1 where what is left of the curves is the larger part, and is outside therefore.
     turn: f64,
     /// `#V`.
@@ -57,7 +58,8 @@ impl ExactSurface {
             let places = places.by_ref().take(count as usize).collect::<Result<Vec<Place>>>()?;
             curves.push(Curve::through(geometry, &places, closed != 0, &mut go_on)?);
         }
-        let SignedDistance { values, sign } = signed_curve_distance(geometry, &curves, Sign::Auto, &mut go_on)?;
+        let signed = signed_curve_distance(geometry, &curves, Sign::Auto, &mut go_on)?;
+        let values = &signed.values;
         // A part without an end has no inside.
         let mut areas = [0.0; 2];
         for kept in self.kept() {
@@ -69,7 +71,7 @@ impl ExactSurface {
         let values: Vec<f64> = values.iter().map(|&value| turned(value, turn)).collect();
         let field = self.continuous(&values)?;
         let (geometry, on) = (Arc::clone(geometry), self.clone());
-        Ok(CurveDistance { geometry, curves, sign, turn, values, on, field, isolines: None })
+        Ok(CurveDistance { geometry, curves, signed, turn, values, on, field, isolines: None })
     }
 }
 
@@ -124,7 +126,7 @@ impl CurveDistance {
         self.parts().flat_map(|(_, _, corners)| corners).flatten().map(|weight| weight as f32).collect()
     }
 
-    /// Traces isolines at the multiples of a spacing on both sides. In a second at most they come to follow the distance itself. Whether they do.
+    /// Traces isolines at the multiples of a spacing on both sides. They follow the distance itself as far as a number of searches find it. Whether they do.
     ///
     /// # Errors
     /// For a spacing by which there are too many, and where there is no memory.
@@ -139,21 +141,18 @@ impl CurveDistance {
         } else {
             Levels::spaced(spacing, most - least)?
         };
-        let start = js_sys::Date::now();
         let faces: Vec<_> = self.faces();
+        let rounds = (SEARCHED / self.on.surface().face_count().max(1)).clamp(1, MOST_ROUNDS);
         let ask = |places: &Places| -> Result<Option<Vec<f64>>> {
-            if js_sys::Date::now() - start > MOST_TIME {
-                return Ok(None);
-            }
             let place = |(&triangle, &weights): (&u32, &[f64; 3])| {
                 let kept = &self.on.kept()[faces[triangle as usize]];
                 Place::Face { face: kept.face, weights: kept.weights(weights) }
             };
             let places: Vec<Place> = places.triangles.iter().zip(&places.weights).map(place).collect();
-            let (_, at) = signed_curve_distance_at(&self.geometry, &self.curves, &places, self.sign, &mut go_on)?;
+            let at = self.signed.at(&self.geometry, &self.curves, &places, &mut go_on)?;
             Ok(Some(at.into_iter().map(|value| turned(value, self.turn)).collect()))
         };
-        let Refined { field, is_true } = self.on.continuous(&self.values)?.refined(&levels, ask)?;
+        let Refined { field, is_true } = self.on.continuous(&self.values)?.refined(&levels, rounds, ask)?;
         self.isolines = Some(Isolines::trace(&field, &levels));
         self.field = field;
         Ok(is_true)

@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use glam::DVec3;
-use heatwalk_curves::{Field, Isolines, Levels, Places, Refined, Strips};
+use heatwalk_curves::{Field, Isolines, Levels, MOST_ROUNDS, Places, Refined, Strips};
 use heatwalk_shapes as shapes;
 
 use super::{area, field};
@@ -20,7 +20,7 @@ fn refined(field: &Field, levels: &[f64], distance: impl Fn(DVec3) -> f64) -> (R
         };
         Ok::<_, Infallible>(Some(places.triangles.iter().zip(&places.weights).map(place).collect()))
     };
-    let Ok(found) = field.refined(&Levels::at(levels).unwrap(), ask);
+    let Ok(found) = field.refined(&Levels::at(levels).unwrap(), MOST_ROUNDS, ask);
     (found, count)
 }
 
@@ -86,10 +86,10 @@ fn a_distance_that_is_linear_is_asked_for_once() {
 }
 
 #[test]
-fn what_is_not_answered_in_time_stays_as_it_is() {
+fn what_is_not_known_stays_as_it_is() {
     let center = DVec3::new(0.5, 0.0, -0.5);
     let coarse = field(&shapes::grid(4, 4), |position| position.distance(center));
-    let Ok(found) = coarse.refined(&Levels::at(&[0.3]).unwrap(), |_| Ok::<_, Infallible>(None));
+    let Ok(found) = coarse.refined(&Levels::at(&[0.3]).unwrap(), MOST_ROUNDS, |_| Ok::<_, Infallible>(None));
     assert!(!found.is_true);
     assert_eq!(found.field.triangles(), coarse.triangles());
 }

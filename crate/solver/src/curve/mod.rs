@@ -9,7 +9,7 @@ mod signed;
 use std::sync::Arc;
 
 pub use distance::{curve_distance, curve_search};
-pub use signed::{SignedDistance, signed_curve_distance, signed_curve_distance_at};
+pub use signed::{SignedDistance, signed_curve_distance};
 
 use heatwalk_sparse::{Progress, Stage, report};
 use heatwalk_surface::{FaceId, Place, Surface, SurfaceId, SurfacePoint, ToPoint};

@@ -8,9 +8,9 @@ use heatwalk_surface::{Element, FaceId, Place, Surface, ToPoint, VertexData};
 
 use super::Curve;
 use super::distance::{Ends, curve_search};
-use super::sides::{Side, sides};
+use super::sides::{Joint, Side, sides};
 use crate::error::{Error, Result};
-use crate::exact::{ExactGeometry, Segment};
+use crate::exact::{ExactGeometry, Segment, Wavefront};
 use crate::heat::VectorHeat;
 use crate::options::Sign;
 
@@ -21,6 +21,8 @@ pub struct SignedDistance {
     pub values: VertexData<f64>,
     /// [`Sign::Nearest`] or [`Sign::Heat`].
     pub sign: Sign,
+    /// `#V`, negative on the left and NaN where it is not known: what tells the sign by heat.
+    heat: Option<VertexData<f64>>,
 }
 
 /// The exact distance of each vertex from the nearest point of any of the curves, negative on the left of these, so that a curve that runs
@@ -37,58 +39,91 @@ pub fn signed_curve_distance(
     sign: Sign,
     progress: Progress<'_>,
 ) -> Result<SignedDistance> {
-    signed_curve_distance_at(geometry, curves, &[] as &[Place], sign, progress).map(|(distance, _)| distance)
-}
-
-/// The same, with the distances of further places.
-///
-/// By heat, what is beyond a mean edge has the sign that the values of the vertices around have in the mean.
-///
-/// # Errors
-/// As [`signed_curve_distance`]; those of [`ToPoint::to_point`].
-pub fn signed_curve_distance_at<P: ToPoint>(
-    geometry: &Arc<ExactGeometry>,
-    curves: &[Curve],
-    places: &[P],
-    sign: Sign,
-    progress: Progress<'_>,
-) -> Result<(SignedDistance, Vec<f64>)> {
-    let surface = geometry.surface();
-    let places = places.iter().map(|place| Ok(place.to_point(surface)?.place())).collect::<Result<Vec<Place>>>()?;
-    let mut front = curve_search(geometry, curves, &places)?;
-    front.grow(f64::INFINITY, progress)?;
-    let Ends { joints, segments, .. } = Ends::of(geometry, curves)?;
-    let near = match sides(&front, &joints) {
-        Err(Error::BadParameter { .. }) if sign != Sign::Nearest => None,
-        sides => Some(sides?),
-    };
+    let Seen { front, near, joints, segments } = Seen::of(geometry, curves, &[], progress)?;
     let is_simple = || joints.iter().all(|joint| joint.is_passed_once()) && !cross(geometry, &segments);
-    let by_nearest = near.as_ref().filter(|_| sign == Sign::Nearest || (sign == Sign::Auto && is_simple()));
-    let (values, targets) = (front.values(), front.target_values());
-    if let Some([near, of_targets]) = by_nearest {
-        let of = |(&value, side): (&f64, &Side)| signed(value, side.is_left);
-        let values = values.iter().zip(near).map(of).collect();
-        let targets = targets.iter().zip(of_targets).map(of).collect();
-        return Ok((SignedDistance { values, sign: Sign::Nearest }, targets));
+    let near = match near {
+        Err(error) if sign == Sign::Nearest => return Err(error),
+        near => near.ok().map(|[of_vertices, _]| of_vertices),
+    };
+    let values = front.values();
+    if let Some(near) = near.as_ref().filter(|_| sign == Sign::Nearest || (sign == Sign::Auto && is_simple())) {
+        let values = values.iter().zip(near).map(|(&value, side)| signed(value, side.is_left)).collect();
+        return Ok(SignedDistance { values, sign: Sign::Nearest, heat: None });
     }
-    let unknown = || [vec![None; values.len()], vec![None; targets.len()]];
-    let [near, of_targets] = near.map_or_else(unknown, |near| near.map(|sides| sides.into_iter().map(Some).collect()));
+    let near = optional(near, values.len());
+    let surface = geometry.surface();
     let known = beside(surface, &segments, values, &near);
     let lines = curves.iter().flat_map(Curve::lines).map(|line| (line.face, line.ends));
     let heat = VectorHeat::new(surface, progress)?.signed_distance(lines, &known, progress)?;
     let close = surface.mean_edge();
-    let of = |value: f64, side: Option<Side>, heat: f64| match side {
+    let of = |((&value, &heat), side)| by_heat(value, side, heat, close);
+    let values = values.iter().zip(&heat).zip(near).map(of).collect();
+    Ok(SignedDistance { values, sign: Sign::Heat, heat: Some(heat) })
+}
+
+impl SignedDistance {
+    /// The distances of places from the curves that these are distances from, by one more search.
+    ///
+    /// By heat, what is beyond a mean edge has the sign that the values of the vertices around have in the mean.
+    ///
+    /// # Errors
+    /// As [`curve_search`]; [`Error::Cancelled`].
+    pub fn at<P: ToPoint>(
+        &self,
+        geometry: &Arc<ExactGeometry>,
+        curves: &[Curve],
+        places: &[P],
+        progress: Progress<'_>,
+    ) -> Result<Vec<f64>> {
+        let surface = geometry.surface();
+        let places = places.iter().map(|place| Ok(place.to_point(surface)?.place())).collect::<Result<Vec<Place>>>()?;
+        let Seen { front, near, .. } = Seen::of(geometry, curves, &places, progress)?;
+        let values = front.target_values();
+        let Some(heat) = &self.heat else {
+            let [_, sides] = near?;
+            return Ok(values.iter().zip(sides).map(|(&value, side)| signed(value, side.is_left)).collect());
+        };
+        let close = surface.mean_edge();
+        let sides = optional(near.ok().map(|[_, of_targets]| of_targets), values.len());
+        let of = |((&value, place), side): ((&f64, &Place), Option<Side>)| {
+            by_heat(value, side, place.interpolate(surface, heat), close)
+        };
+        Ok(values.iter().zip(&places).zip(sides).map(of).collect())
+    }
+}
+
+/// A search from curves that has ended.
+struct Seen {
+    front: Wavefront,
+    /// The sides from which vertices and targets see the curves; an error where a curve bends so that none are known.
+    near: Result<[Vec<Side>; 2]>,
+    joints: Vec<Joint>,
+    segments: Vec<Segment>,
+}
+
+impl Seen {
+    fn of(geometry: &Arc<ExactGeometry>, curves: &[Curve], targets: &[Place], progress: Progress<'_>) -> Result<Self> {
+        let mut front = curve_search(geometry, curves, targets)?;
+        front.grow(f64::INFINITY, progress)?;
+        let Ends { joints, segments, .. } = Ends::of(geometry, curves)?;
+        let near = match sides(&front, &joints) {
+            Err(error @ Error::BadParameter { .. }) => Err(error),
+            sides => Ok(sides?),
+        };
+        Ok(Self { front, near, joints, segments })
+    }
+}
+
+fn optional(sides: Option<Vec<Side>>, count: usize) -> Vec<Option<Side>> {
+    sides.map_or_else(|| vec![None; count], |sides| sides.into_iter().map(Some).collect())
+}
+
+/// The distance with its sign: that of the side up to `close`, else that of what heat tells.
+fn by_heat(value: f64, side: Option<Side>, heat: f64, close: f64) -> f64 {
+    match side {
         Some(side) if heat.is_nan() || (value <= close && !side.is_end) => signed(value, side.is_left),
         _ => signed(value, heat < 0.0),
-    };
-    let of_vertex = |((&value, &heat), side): ((&f64, &f64), Option<Side>)| of(value, side, heat);
-    let of_target =
-        |((&value, place), side): ((&f64, &Place), Option<Side>)| of(value, side, place.interpolate(surface, &heat));
-    let targets = targets.iter().zip(&places).zip(of_targets).map(of_target).collect();
-    Ok((
-        SignedDistance { values: values.iter().zip(&heat).zip(near).map(of_vertex).collect(), sign: Sign::Heat },
-        targets,
-    ))
+    }
 }
 
 fn signed(value: f64, is_left: bool) -> f64 {
