@@ -390,12 +390,26 @@ export interface CurveDistances {
   corners: Float32Array;
 }
 
-/** Closed curves around handles. */
-export interface FoundLoops {
+/** Curves of paths: loops around handles; a loop through places; the Bézier curve that places control. */
+export type PathCurves = 'loops' | 'loop' | 'bezier';
+
+/** Which curves are wanted; those around handles need no places. */
+export interface PathWish extends ExactSurface {
+  kind: PathCurves;
+  places: TrianglePlaces;
+}
+
+export interface FoundPaths {
   /** The shortest first. */
   lengths: readonly ModelLength[];
   /** #segments × 2 × 3: ends of the segments of all, as they are drawn. */
   ends: Float32Array;
+}
+
+/** Directions at places: of each three numbers, as they are drawn. */
+export interface DirectionWish extends ExactSurface {
+  places: TrianglePlaces;
+  directions: Float64Array;
 }
 
 /** Which image is wanted on the surface, and where. */

@@ -124,6 +124,9 @@ test('an image is laid on, moved, turned, scaled and removed by handles and keys
     await page.mouse.move(x + dx, y + dy);
     await page.mouse.up();
     await heatwalk.settled();
+    // Handles stand on the image once it lies, from the next frame on.
+    await heatwalk.drawing(0.1, false);
+    await page.evaluate(() => new Promise(requestAnimationFrame));
   };
   const apart = async () => {
     const [[x, y], [u, v]] = [await middleOf(middle), await middleOf(side)];

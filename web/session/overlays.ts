@@ -1,5 +1,5 @@
 /** What is shown beside the distance, or in its place: other fields, arrows, edges. Asks the solver for what is wanted. */
-import type { DistanceField } from '../protocol';
+import type { DistanceField, PathCurves } from '../protocol';
 import type { Engine } from '../solver/engine';
 import { OF_HEAT, type Overlay, type SceneState } from '../state/scene';
 import {
@@ -13,7 +13,8 @@ import {
 import { type Edges, rimmed } from '../view/layers';
 import type { Cells } from './cells';
 import type { Decals } from './decals';
-import type { Loops } from './loops';
+import type { Directions } from './directions';
+import type { Paths } from './paths';
 import type { Offsets } from './offsets';
 import { drawnIsolines } from './isolines';
 import type { Session } from './session';
@@ -27,6 +28,9 @@ const EDGES: readonly { overlay: Overlay; kind: EdgeKind; colour: string }[] = [
 ];
 
 const ISOLINES = { colour: '#e5202e', width: 1.6 };
+/** What it depends on what is shown, beside the answer. */
+const OTHERS = ['overlays', 'colorBy', 'heading'] as const;
+const PATHS: readonly PathCurves[] = ['loops', 'loop', 'bezier'];
 /** Of their rims: they are many. */
 const RIMS = 0.5;
 
@@ -41,7 +45,8 @@ export class Overlays {
   #cells: Promise<Cells> | undefined;
   #decals: Promise<Decals> | undefined;
   #offsets: Promise<Offsets> | undefined;
-  #loops: Promise<Loops> | undefined;
+  #directions: Promise<Directions> | undefined;
+  readonly #paths = new Map<PathCurves, Promise<Paths>>();
 
   constructor(session: Session) {
     this.#session = session;
@@ -61,7 +66,7 @@ export class Overlays {
     session.scene.subscribe((state, previous) => {
       const isElsewhere = state.style.period !== previous.style.period || state.isolines !== previous.isolines;
       const isSpaced = (state.overlays.includes('isolines') || state.overlays.includes('curves')) && isElsewhere;
-      const isOther = state.overlays !== previous.overlays || state.colorBy !== previous.colorBy;
+      const isOther = OTHERS.some((field) => state[field] !== previous[field]);
       if (isSpaced || isOther) this.#latest = this.#update(true);
       if (state.decals !== previous.decals)
         this.#latest = Promise.all([this.#latest, this.#lay()]).then(() => undefined);
@@ -103,8 +108,15 @@ export class Overlays {
       if (overlays.includes('cells')) this.#cells ??= import('./cells').then(({ Cells }) => new Cells(session));
       if (overlays.includes('curves'))
         this.#offsets ??= import('./offsets').then(({ Offsets }) => new Offsets(session));
-      if (overlays.includes('loops')) this.#loops ??= import('./loops').then(({ Loops }) => new Loops(session));
-      const beside = [this.#cells, this.#offsets, this.#loops].map((one) => one?.then((shown) => shown.follow()));
+      if (overlays.includes('carried'))
+        this.#directions ??= import('./directions').then(({ Directions }) => new Directions(session));
+      for (const kind of PATHS) {
+        if (!overlays.includes(kind) || this.#paths.has(kind)) continue;
+        const paths = import('./paths').then(({ Paths }) => new Paths(session, kind));
+        this.#paths.set(kind, paths);
+      }
+      const besides = [this.#cells, this.#offsets, this.#directions, ...this.#paths.values()];
+      const beside = besides.map((one) => one?.then((shown) => shown.follow()));
       beside.push(this.#lay());
       const kind = FACE_FIELD.names.find((vectors) => overlays.includes(vectors));
       const arrows = kind && field ? await this.#arrowsOf(engine, kind, field) : new Float32Array();
@@ -114,7 +126,7 @@ export class Overlays {
         view.setEdges('overlays', edges);
         this.#needsEdges = false;
       }
-      view.setArrows(arrows);
+      if (!overlays.includes('carried')) view.setArrows(arrows);
       session.paint(other);
       await Promise.all(beside);
     } catch (error) {

@@ -1,6 +1,6 @@
 /** One mesh at a time: asks the solver what the scene wants to know and shows the answers. */
 import { Failure, isUnsolved, toError } from '../error';
-import type { CurveDistances, FoundLoops, Moment, OpenedMesh, Posed, ProgressListener } from '../protocol';
+import type { CurveDistances, FoundPaths, Moment, OpenedMesh, PathCurves, Posed, ProgressListener } from '../protocol';
 import { SolverClient } from '../solver/client';
 import { type Answer, type Engine, isFieldOf, isSameMoment, type Question } from '../solver/engine';
 import { Refiner } from '../solver/refiner';
@@ -90,8 +90,12 @@ export class Session {
   readonly cells = new Signal<ShownCells | null>(null);
   /** The distance from curves, where that is shown. */
   readonly offsets = new Signal<CurveDistances | null>(null);
-  /** Loops around handles, where they are shown. */
-  readonly loops = new Signal<FoundLoops | null>(null);
+  /** Curves of paths, where they are shown. */
+  readonly paths: Readonly<Record<PathCurves, Signal<FoundPaths | null>>> = {
+    loops: new Signal<FoundPaths | null>(null),
+    loop: new Signal<FoundPaths | null>(null),
+    bezier: new Signal<FoundPaths | null>(null),
+  };
   /** Images as they lie on the surface, and which of the scene's is selected; −1 for none. */
   readonly decals = new Signal<readonly LaidImage[]>([]);
   readonly decal = new Signal(-1);

@@ -10,7 +10,16 @@ import { decodeIsolines, encodeIsolines } from './isolines';
 import { type Key, keysOf, read } from './keys';
 import { SHOWN_UNITS, UNITS } from '../length';
 import { POINT, SOURCES } from './points';
-import { LARGEST_CROWD, LIGHTS, type MeshReference, OVERLAYS, type SceneState, SPEEDS, TRIANGLES } from './scene';
+import {
+  HEADINGS,
+  LARGEST_CROWD,
+  LIGHTS,
+  type MeshReference,
+  OVERLAYS,
+  type SceneState,
+  SPEEDS,
+  TRIANGLES,
+} from './scene';
 import { decodeSets, encodeSets } from './sets';
 import { SETTINGS } from './settings';
 import { UNCHOSEN } from './sources';
@@ -171,6 +180,7 @@ const EDITS = [
   whole('paint', 'colorBy', choiceOf(VERTEX_FIELD)),
   whole('show', 'overlays', listOf(oneOf(OVERLAYS), OVERLAYS.length)),
   whole('iso', 'isolines', { encode: encodeIsolines, parse: decodeIsolines }),
+  whole('heading', 'heading', within(HEADINGS)),
   whole('crowd', 'crowd', rounded([0, LARGEST_CROWD])),
   part('ramp', 'style', 'ramp', oneOf(RAMP_NAMES)),
   part('stripe', 'style', 'stripe', STRIPE),

@@ -36,6 +36,9 @@ export const OVERLAYS = [
   'cells',
   'curves',
   'loops',
+  'loop',
+  'bezier',
+  'carried',
   'heat',
   'distance',
 ] as const;
@@ -43,7 +46,8 @@ export const OVERLAYS = [
  * The inactive parts; the surface that joins the points of a cloud, in the place of these; edges of the mesh, boundary edges, places
  * where components meet, edges of the operator's triangles; curves of equal distance at the period of the stripes; what is nearest to
  * each source; the distance from curves with its sign; loops around handles;
- * arrows along the gradients of heat and of distance.
+ * a closed curve through the sources, and the Bézier curve that they control; arrows of a direction at the sources that is carried
+ * over the surface; arrows along the gradients of heat and of distance.
  */
 export type Overlay = (typeof OVERLAYS)[number];
 
@@ -84,6 +88,9 @@ export const LIGHTS = ['style', 'file'] as const;
 
 /** Triangles that a mesh can be simplified to: from a shape that can be recognised to more than fit. */
 export const TRIANGLES = [100, 100_000_000] as const;
+
+/** Degrees. */
+export const HEADINGS = [-180, 180] as const;
 
 export const LARGEST_CROWD = 10_000;
 
@@ -138,6 +145,8 @@ export interface SceneState extends Settings, Units {
   colorBy: VertexField;
   /** What is drawn in addition. */
   overlays: readonly Overlay[];
+  /** Of arrows that are carried from the sources: degrees counterclockwise from upright, seen from outside. */
+  heading: number;
   /** Number of walkers in the crowd. */
   crowd: number;
   /** Index into `sources` and, after these, `sets`; −1 for none. Belongs to the moment, so the link leaves it out. */
@@ -179,6 +188,7 @@ export function emptyScene(mesh: MeshReference): SceneState {
     colorBy: VERTEX_FIELD.default,
     hidden: [],
     overlays: ['scenery'],
+    heading: 0,
     crowd: 0,
     selected: -1,
   };

@@ -27,14 +27,27 @@ export function rimmed(line: Required<Edges>, share = 1): Edges[] {
   ];
 }
 
-/** What lines are shown for, in the order in which they are drawn: overlays, borders of cells, offsets of curves, loops, walls and sets of sources, the other path, girths, tapes. */
-export const EDGE_GROUPS = ['overlays', 'cells', 'offsets', 'loops', 'lines', 'path', 'girth', 'tapes'] as const;
+/** What lines are shown for, in the order in which they are drawn: overlays, borders of cells, offsets of curves, loops around handles, a loop and a Bézier curve of the sources, walls and sets of sources, the other path, girths, tapes. */
+export const EDGE_GROUPS = [
+  'overlays',
+  'cells',
+  'offsets',
+  'loops',
+  'loop',
+  'bezier',
+  'lines',
+  'path',
+  'girth',
+  'tapes',
+] as const;
 export type EdgeGroup = (typeof EDGE_GROUPS)[number];
 export const NO_EDGES: Picture['edges'] = {
   overlays: [],
   cells: [],
   offsets: [],
   loops: [],
+  loop: [],
+  bezier: [],
   lines: [],
   path: [],
   girth: [],

@@ -46,10 +46,21 @@ pub enum Kind {
     Isolines,
     /// Where a plane cuts the surface: at 0 of the height over it.
     Girth,
-    /// Closed geodesics, their lengths as values.
-    Loops,
+    /// Paths on the surface, their lengths as values.
+    Paths(PathKind),
     /// Borders between cells, each between these two, and without a value.
     Borders(Vec<[u32; 2]>),
+}
+
+/// Paths that are curves by themselves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PathKind {
+    /// Closed geodesics around handles.
+    HandleLoops,
+    /// A closed curve through places.
+    Loop,
+    /// A Bézier curve.
+    Bezier,
 }
 
 /// The isolines of a field.
@@ -96,7 +107,8 @@ impl Isolines {
         match &self.kind {
             Kind::Isolines => format!("isoline_{}", self.isolines[index].value),
             Kind::Girth => "girth".to_owned(),
-            Kind::Loops => format!("loop_{}", index + 1),
+            Kind::Paths(PathKind::Bezier) => format!("curve_{}", index + 1),
+            Kind::Paths(_) => format!("loop_{}", index + 1),
             Kind::Borders(cells) => format!("border_{}_{}", cells[index][0], cells[index][1]),
         }
     }

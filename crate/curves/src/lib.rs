@@ -27,7 +27,7 @@ pub use decal::{Patch, decal};
 pub use division::Division;
 pub use error::{Error, MAX_DEFECT, MOST_LEVELS, NotDevelopable, Result};
 pub use field::{Field, is_continuous};
-pub use isolines::{Curve, Isoline, Isolines, Kind};
+pub use isolines::{Curve, Isoline, Isolines, Kind, PathKind};
 pub use levels::Levels;
 pub use refine::{MOST_ROUNDS, Places, Refined, TRUE_TO};
 pub use sheet::{Plane, Sheet};

@@ -51,12 +51,46 @@ export const SURFACE: Texts = {
   'The curve and its offsets as DXF, OBJ, CSV or GLB, or as seen, as SVG or PDF.':
     'La courbe et ses parallèles en DXF, OBJ, CSV ou GLB, ou telles que vues, en SVG ou PDF.',
   Loops: 'Boucles',
+  'Loops and curves': 'Boucles et courbes',
+  'Loops and curves are on surfaces alone.': 'Les boucles et les courbes sont sur des surfaces seulement.',
+  'Loop through the sources': 'Boucle par les sources',
+  'A closed curve of shortest paths through the sources in their order; through one or two, one that cannot shrink':
+    'Courbe fermée de plus courts chemins par les sources, dans leur ordre ; par une ou deux, une qui ne peut se réduire',
+  'Save the loop': 'Enregistrer la boucle',
+  'The loop through the sources as a curve': 'La boucle par les sources comme courbe',
+  'A loop is through one source or more.': 'Une boucle passe par une source ou plus.',
+  'This loop shrinks to a point: place sources on the way around a handle or a hole, or three and more.':
+    'Cette boucle se réduit à un point : placez des sources sur le tour d’une anse ou d’un trou, ou trois et plus.',
+  'The loop is {0} long.': 'La boucle est longue de {0}.',
+  'Bézier curve of the sources': 'Courbe de Bézier des sources',
+  'A smooth curve from the first source to the last, which those between draw toward them':
+    'Courbe lisse de la première source à la dernière, que celles entre elles attirent',
+  Curve: 'Courbe',
+  'Save the curve': 'Enregistrer la courbe',
+  'The Bézier curve as a curve on the surface': 'La courbe de Bézier comme courbe sur la surface',
+  'A Bézier curve is of two sources or more.': 'Une courbe de Bézier est de deux sources ou plus.',
+  'The curve is {0} long.': 'La courbe est longue de {0}.',
+  'A closed curve of shortest paths through the sources in their order.':
+    'Courbe fermée de plus courts chemins par les sources, dans leur ordre.',
+  'The loop as DXF, OBJ, CSV or GLB, or as seen, as SVG or PDF.':
+    'La boucle en DXF, OBJ, CSV ou GLB, ou telle que vue, en SVG ou PDF.',
+  'A smooth curve that the sources control, by shortest paths instead of straight lines.':
+    'Courbe lisse que les sources contrôlent, par de plus courts chemins au lieu de droites.',
+  'The Bézier curve as DXF, OBJ, CSV or GLB, or as seen, as SVG or PDF.':
+    'La courbe de Bézier en DXF, OBJ, CSV ou GLB, ou telle que vue, en SVG ou PDF.',
+  'Carried from the sources': 'Transportées depuis les sources',
+  Heading: 'Cap',
+  'Arrows of a direction at the sources that is carried along shortest paths, which keeps its angle with them.':
+    'Flèches d’une direction aux sources, transportée le long de plus courts chemins, avec lesquels elle garde son angle.',
+  'That direction at the sources: degrees counterclockwise from upright, seen from outside.':
+    'Cette direction aux sources : degrés depuis la verticale, dans le sens inverse des aiguilles d’une montre, vue de l’extérieur.',
+  'Log map of the first source, CSV': 'Carte logarithmique de la première source, CSV',
+  'There is no source yet. Place one on the surface.': 'Il n’y a pas encore de source. Placez-en une sur la surface.',
   'Loops around handles': 'Boucles autour des anses',
   'Closed curves that cannot shrink to a point, as short as they can be':
     'Courbes fermées qui ne peuvent se réduire à un point, aussi courtes que possible',
   'Save loops': 'Enregistrer les boucles',
   'The loops around handles as curves': 'Les boucles autour des anses comme courbes',
-  'Loops are on surfaces alone.': 'Les boucles sont sur des surfaces seulement.',
   '{0} loop.': '{0} boucle.',
   '{0} loops.': '{0} boucles.',
   'The shortest: {0}.': 'Les plus courtes : {0}.',

@@ -73,6 +73,12 @@ export const SETTINGS: Record<string, Record<string, Words | Explanation>> = {
   loops: {
     'Loops around handles': t('Closed geodesics around each handle and through it, with their lengths.'),
     Loops: t('The loops as DXF, OBJ, CSV or GLB, or as seen, as SVG or PDF.'),
+    'Loop through the sources': t('A closed curve of shortest paths through the sources in their order.'),
+    Loop: t('The loop as DXF, OBJ, CSV or GLB, or as seen, as SVG or PDF.'),
+    'Bézier curve of the sources': t(
+      'A smooth curve that the sources control, by shortest paths instead of straight lines.',
+    ),
+    Curve: t('The Bézier curve as DXF, OBJ, CSV or GLB, or as seen, as SVG or PDF.'),
   },
   girth: {
     'Measure the girth': t('Shows the curves in which a plane cuts the surface, with their lengths.'),
@@ -224,6 +230,14 @@ export const SETTINGS: Record<string, Record<string, Words | Explanation>> = {
     'No arrows': about(t('No directions are drawn.'), 'method#directions'),
     'Heat gradient': about(t('Arrows along the unit gradient of heat, towards the sources.'), 'method#directions'),
     'Distance gradient': about(t('Arrows along the gradient of the distance.'), 'method#directions'),
+    'Carried from the sources': about(
+      t('Arrows of a direction at the sources that is carried along shortest paths, which keeps its angle with them.'),
+      'page#carried-directions',
+    ),
+    Heading: about(
+      t('That direction at the sources: degrees counterclockwise from upright, seen from outside.'),
+      'page#carried-directions',
+    ),
     Crowd: about(t('Walkers that all take the shortest way to a source.'), 'method#crowds'),
     Up: about(t('The axis of the file that is drawn upward.'), 'page#up'),
     'Cameras of the file': about(t('Looks through a camera that the file has.'), 'page#cameras-and-lights'),

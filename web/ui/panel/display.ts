@@ -1,7 +1,15 @@
 import type { Session } from '../../session/session';
 import type { Shown } from '../../session/prepare';
 import type { Signal } from '../../state/signal';
-import { isRefined, LARGEST_CROWD, OF_HEAT, type Overlay, OVERLAYS, type SceneState } from '../../state/scene';
+import {
+  HEADINGS,
+  isRefined,
+  LARGEST_CROWD,
+  OF_HEAT,
+  type Overlay,
+  OVERLAYS,
+  type SceneState,
+} from '../../state/scene';
 import { AUTOMATIC, UP, type Up, VERTEX_FIELD, type VertexField } from '../../wasm/contract';
 import { available } from '../../session/overlays';
 import { attribute, h, say, select } from '../dom';
@@ -24,15 +32,18 @@ const OVERLAY_WORDS: Record<Overlay, Words> = {
   cells: t('Cells'),
   curves: t('Distance from curves'),
   loops: t('Loops around handles'),
+  loop: t('Loop through the sources'),
+  bezier: t('Bézier curve of the sources'),
+  carried: t('Carried from the sources'),
   heat: t('Heat gradient'),
   distance: t('Distance gradient'),
 };
 /** Of these there is one at a time. */
-const ARROWS = ['heat', 'distance'] as const satisfies readonly Overlay[];
+const ARROWS = ['heat', 'distance', 'carried'] as const satisfies readonly Overlay[];
 type Arrows = (typeof ARROWS)[number] | 'none';
 
 /** Those that other sections have. */
-const ELSEWHERE: ReadonlySet<Overlay> = new Set(['cells', 'curves', 'loops']);
+const ELSEWHERE: ReadonlySet<Overlay> = new Set(['cells', 'curves', 'loops', 'loop', 'bezier']);
 
 const COLOR_BY_WORDS: Record<VertexField, Words> = {
   distance: t('distance'),
@@ -76,6 +87,14 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
       scene.edit({ overlays: chosen === 'none' ? rest : [...rest, chosen] });
     },
   );
+  const heading = slider({
+    label: t('Heading'),
+    min: HEADINGS[0],
+    max: HEADINGS[1],
+    step: 1,
+    describe: (value) => `${Math.round(value)}°`,
+    change: (value, gesture) => scene.edit({ heading: value }, gesture),
+  });
   const crowd = slider({
     label: t('Crowd'),
     min: 0,
@@ -115,7 +134,10 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
     }
     const { overlays: shownOverlays } = available(scene.state, method);
     arrows.offer((name) => method === 'heat' || name === 'none' || !OF_HEAT.overlays.includes(name));
-    arrows.show(ARROWS.find((name) => shownOverlays.includes(name)) ?? 'none');
+    const isCarried = shownOverlays.includes('carried');
+    arrows.show(isCarried ? 'carried' : (ARROWS.find((name) => shownOverlays.includes(name)) ?? 'none'));
+    heading.show(scene.state.heading);
+    heading.element.hidden = !isCarried;
     crowd.show(Math.round(CROWD_STEPS * Math.sqrt(scene.state.crowd / LARGEST_CROWD)));
     showLegend();
   });
@@ -134,6 +156,7 @@ export function displaySection(session: Session, isLegendOn: Signal<boolean>): H
     onStage.element,
     ...overlays.map(({ element }) => element),
     arrows.element,
+    heading.element,
     crowd.element,
     up.element,
     cameras,

@@ -37,8 +37,10 @@ const STRIPES = 'stripes.glb';
 const OF_SURFACES = t('This is for surfaces, not for the inside of tetrahedra.');
 /** Strips that are named one by one. */
 const MOST_NAMED = 5;
-const DISTANCES: readonly (readonly [DistanceFile | typeof STRIPES, Words])[] = [
+const LOG_MAP = 'log-map.csv';
+const DISTANCES: readonly (readonly [DistanceFile | typeof STRIPES | typeof LOG_MAP, Words])[] = [
   ['csv', 'CSV'],
+  [LOG_MAP, t('Log map of the first source, CSV')],
   ['npy', 'NumPy'],
   ['ply', t('PLY, double')],
   ['glb', t('GLB with materials')],
@@ -275,7 +277,7 @@ function tableOf({ rows }: Isolines, unit: LengthUnit): HTMLElement {
 }
 
 function distanceControls(session: Session, action: Action): HTMLElement[] {
-  let kind: DistanceFile | typeof STRIPES = 'csv';
+  let kind: DistanceFile | typeof STRIPES | typeof LOG_MAP = 'csv';
   let innerKind: InnerDistanceFile | typeof STRIPES = 'csv';
   const file = select(t('Distances'), DISTANCES, (value) => (kind = value));
   const innerFile = select(t('Distances'), INNER_DISTANCES, (value) => (innerKind = value));
@@ -286,9 +288,14 @@ function distanceControls(session: Session, action: Action): HTMLElement[] {
   const work = async () => {
     const engine = asked(session);
     const unit = shownUnit(session);
+    if (kind === LOG_MAP && !isInside()) {
+      const wish = (await import('../../session/directions')).logMapWish(session);
+      save(new Blob([await engine.queries.logMapFile(wish, unit)]), `${fileNameOf(session.shown.value)}.${LOG_MAP}`);
+      return;
+    }
     const bytes = isInside()
       ? innerKind !== STRIPES && (await engine.queries.innerDistanceFile(innerKind, unit))
-      : kind !== STRIPES && (await engine.queries.distanceFile(kind, unitOfFile(kind, unit)));
+      : kind !== STRIPES && kind !== LOG_MAP && (await engine.queries.distanceFile(kind, unitOfFile(kind, unit)));
     if (!bytes) return saveStripes(session, unit);
     save(new Blob([bytes]), `${fileNameOf(session.shown.value)}.distances.${isInside() ? innerKind : kind}`);
     const { clips, parts } = session.shown.value?.opened ?? { clips: [], parts: [] };

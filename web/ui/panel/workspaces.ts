@@ -95,8 +95,8 @@ export function workspacePanel(
         { id: 'girth', title: t('Girth'), element: girth, open: true },
         {
           id: 'loops',
-          title: t('Loops'),
-          element: async () => (await import('./loops')).loopsControls(session),
+          title: t('Loops and curves'),
+          element: async () => (await import('./paths')).pathsControls(session),
           open: false,
         },
       ],

@@ -5,6 +5,7 @@ use heatwalk::{LogMapSearch, Soup, Up};
 use heatwalk_bindings::{Failure, Result};
 use wasm_bindgen::prelude::*;
 
+use super::files::in_file;
 use super::surface::{ExactSurface, no_triangle};
 use crate::decal::{Patch, decal};
 use crate::division::Division;
@@ -115,8 +116,7 @@ impl DecalSurface {
         let up: Up = up.parse()?;
         let right = right.try_into().map(DVec3::from_array);
         let right = right.map_err(|_| Failure::misuse("a direction is three numbers"))?;
-        let right = DVec3::from_array(DVec3::AXES.map(|axis| up.turned(axis).dot(right)));
-        let map = search.map(Some(right))?;
+        let map = search.map(Some(in_file(up, right)))?;
         let coordinates: Vec<DVec2> = map.coordinates.iter().copied().collect();
         let mut patches = decal(&self.surface, &coordinates, *start, DVec2::new(half_width, half_height));
         for patch in &mut patches {

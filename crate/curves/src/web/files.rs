@@ -49,14 +49,17 @@ pub fn picture(
     let up: Up = up.parse()?;
     let toward_eye = toward_eye.try_into().map(DVec3::from_array);
     let toward_eye = toward_eye.map_err(|_| Failure::misuse("a direction is three numbers"))?;
-    // What is drawn like this, in the file.
-    let in_file = |drawn: DVec3| DVec3::from_array(DVec3::AXES.map(|axis| up.turned(axis).dot(drawn)));
-    let view = write::View::from_direction(field, in_file(toward_eye), in_file(DVec3::Y));
+    let view = write::View::from_direction(field, in_file(up, toward_eye), in_file(up, DVec3::Y));
     let view = view.ok_or_else(|| Failure::misuse("a direction has a length"))?;
     if kind != "pdf" {
         return Ok(write::svg(curves, field, &view, unit));
     }
     Ok(write::pdf(curves, field, &view, unit.ok_or_else(without_unit)?))
+}
+
+/// The direction in the file of what is drawn in another, where this axis is drawn upward.
+pub(super) fn in_file(up: Up, drawn: DVec3) -> DVec3 {
+    DVec3::from_array(DVec3::AXES.map(|axis| up.turned(axis).dot(drawn)))
 }
 
 /// A file of curves on the surface of a field, as [`curve_file`] and [`picture`] write them, with all lengths in this unit.

@@ -2,9 +2,10 @@
 
 mod cells;
 mod decals;
+mod directions;
 mod distances;
 mod files;
 mod isolines;
-mod loops;
 mod offsets;
+mod paths;
 mod surface;

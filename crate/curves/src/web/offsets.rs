@@ -51,11 +51,10 @@ impl ExactSurface {
         weights: &[f64],
     ) -> Result<CurveDistance> {
         let (geometry, surface) = (self.geometry(), self.surface());
-        let mut places =
-            triangles.iter().zip(weights.chunks(3)).map(|(&triangle, weights)| self.place(triangle, weights));
+        let mut places = self.places(triangles, weights)?.into_iter();
         let mut curves = Vec::with_capacity(counts.len());
         for (&count, &closed) in counts.iter().zip(closed) {
-            let places = places.by_ref().take(count as usize).collect::<Result<Vec<Place>>>()?;
+            let places: Vec<Place> = places.by_ref().take(count as usize).collect();
             curves.push(Curve::through(geometry, &places, closed != 0, &mut go_on)?);
         }
         let signed = signed_curve_distance(geometry, &curves, Sign::Auto, &mut go_on)?;

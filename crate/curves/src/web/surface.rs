@@ -102,6 +102,14 @@ impl ExactSurface {
         Ok(Place::Face { face: kept.face, weights: kept.weights(weights) })
     }
 
+    /// Places of triangles with three weights each, one after another.
+    ///
+    /// # Errors
+    /// As [`Self::place`].
+    pub(super) fn places(&self, triangles: &[u32], weights: &[f64]) -> Result<Vec<Place>> {
+        triangles.iter().zip(weights.chunks(3)).map(|(&triangle, weights)| self.place(triangle, weights)).collect()
+    }
+
     /// Places as four numbers each, a triangle and the weights of its corners.
     pub(super) fn numbers(&self, places: impl Iterator<Item = Place>) -> Vec<f64> {
         let surface = self.surface();

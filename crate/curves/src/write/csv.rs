@@ -13,7 +13,7 @@ use crate::isolines::{Isolines, Kind};
 pub fn csv(isolines: &Isolines, unit: Option<Unit>) -> Vec<u8> {
     let of = |index: usize| match &isolines.kind {
         Kind::Borders(cells) => format!("{},{}", cells[index][0], cells[index][1]),
-        Kind::Isolines | Kind::Girth | Kind::Loops => format!("{:.16e}", isolines.isolines[index].value),
+        Kind::Isolines | Kind::Girth | Kind::Paths(_) => format!("{:.16e}", isolines.isolines[index].value),
     };
     let told = if matches!(isolines.kind, Kind::Borders(_)) { "cell,other".to_owned() } else { column("value", unit) };
     let mut text = format!("curve,{told},closed,{}\n", ["x", "y", "z"].map(|axis| column(axis, unit)).join(","));

@@ -24,7 +24,7 @@ const SPATIAL_VERTEX: u8 = 32;
 pub fn dxf(isolines: &Isolines, unit: Option<Unit>) -> Vec<u8> {
     let layer = |(index, value): (usize, f64)| match isolines.kind {
         Kind::Isolines => name(&format!("ISOLINE_{index}"), value),
-        Kind::Girth | Kind::Loops | Kind::Borders(_) => isolines.name(index).to_uppercase(),
+        Kind::Girth | Kind::Paths(_) | Kind::Borders(_) => isolines.name(index).to_uppercase(),
     };
     let layers: Vec<String> = isolines.isolines.iter().map(|isoline| isoline.value).enumerate().map(layer).collect();
     let mut file = File::begin(&layers, unit);

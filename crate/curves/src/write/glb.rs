@@ -29,7 +29,7 @@ pub fn glb(isolines: &Isolines) -> Vec<u8> {
         });
         let (name, extras) = match &isolines.kind {
             Kind::Isolines => (format!("isoline {}", isoline.value), json!({ "distance": isoline.value })),
-            Kind::Girth | Kind::Loops => (isolines.name(index), json!({})),
+            Kind::Girth | Kind::Paths(_) => (isolines.name(index), json!({})),
             Kind::Borders(cells) => (isolines.name(index), json!({ "cells": cells[index] })),
         };
         nodes.push(json!({ "name": name, "mesh": meshes.len() }));

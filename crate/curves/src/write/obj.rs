@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use heatwalk_surface::Unit;
 
 use super::unit::comment;
-use crate::isolines::{Isolines, Kind};
+use crate::isolines::{Isolines, Kind, PathKind};
 use crate::strips::Strips;
 
 // Writing to a String cannot fail.
@@ -15,7 +15,9 @@ pub fn obj(isolines: &Isolines, unit: Option<Unit>) -> Vec<u8> {
     let title = match isolines.kind {
         Kind::Isolines => "isolines of a distance",
         Kind::Girth => "girth of a surface",
-        Kind::Loops => "loops around the handles of a surface",
+        Kind::Paths(PathKind::HandleLoops) => "loops around the handles of a surface",
+        Kind::Paths(PathKind::Loop) => "loop through places of a surface",
+        Kind::Paths(PathKind::Bezier) => "Bézier curve on a surface",
         Kind::Borders(_) => "borders of cells",
     };
     let mut text = format!("# {title} by Heatwalk\n{}", comment("#", unit));

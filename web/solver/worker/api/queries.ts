@@ -9,9 +9,11 @@ import type {
   DrawPath,
   EdgeKind,
   Enclosure,
-  ExactSurface,
   FoundCells,
-  FoundLoops,
+  DirectionWish,
+  FoundPaths,
+  PathCurves,
+  PathWish,
   FaceField,
   InnerDistanceFile,
   Isolines,
@@ -205,14 +207,24 @@ export async function offsetFile(file: CurveFile): Promise<Bytes> {
   return (await import('../offsets')).offsetFile(file, openMesh().shownAs);
 }
 
-/** Loops around the handles of a surface. */
-export async function handleLoops(wish: ExactSurface): Promise<FoundLoops> {
-  return (await import('../loops')).handleLoops(openSurface(), wish, openMesh().shownAs);
+/** Curves of paths on a surface. */
+export async function pathCurves(wish: PathWish): Promise<FoundPaths> {
+  return (await import('../paths')).pathCurves(openSurface(), wish, openMesh().shownAs);
 }
 
-/** A file of the loops that were found last. */
-export async function loopFile(file: CurveFile): Promise<Bytes> {
-  return (await import('../loops')).loopFile(file, openMesh().shownAs);
+/** A file of those that were found last. */
+export async function pathFile(curve: PathCurves, file: CurveFile): Promise<Bytes> {
+  return (await import('../paths')).pathFile(curve, file, openMesh().shownAs);
+}
+
+/** Directions at places, carried to all triangles. */
+export async function carried(wish: DirectionWish): Promise<Float32Array> {
+  return (await import('../directions')).carried(openSurface(), wish, openMesh().shownAs);
+}
+
+/** The log map of a place as a table, with u along its direction and lengths in a unit. */
+export async function logMapFile(wish: DirectionWish, unit: LengthUnit): Promise<Bytes> {
+  return (await import('../directions')).logMapFile(openSurface(), wish, unit, openMesh().shownAs);
 }
 
 /** One step of laying an image on the surface; null: it is not laid yet, and the next call goes on. */
