@@ -1,5 +1,5 @@
 // npm run gallery [-- FIGURE ...]: draws the images of docs/gallery.md with the built page and writes that document; and the
-// thumbnails of the presets. With names of figures, only their images.
+// thumbnails of the presets. With names of figures and presets, only their images.
 
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -48,7 +48,7 @@ for (const { name, title, text, panels, whole = false } of FIGURES) {
   figures.push({ title, text, panels: drawn });
 }
 writeFileSync(join(root, 'docs', 'gallery.md'), galleryText(figures));
-if (wanted.length === 0) await drawThumbnails();
+await drawThumbnails();
 await browser.close();
 await server.close();
 
@@ -56,6 +56,7 @@ async function drawThumbnails() {
   mkdirSync(THUMBNAILS, { recursive: true });
   await open('/?resolution=full&gpu=webgl');
   for (const id of await tab.evaluate(() => window.heatwalk.presets)) {
+    if (wanted.length > 0 && !wanted.includes(id)) continue;
     const image = { ...THUMBNAIL, type: 'image/webp', clear: true, whole: false };
     writeFileSync(join(THUMBNAILS, `${id}.webp`), await draw(`m=${id}&w=none`, image));
     console.log(`${id}.webp`);

@@ -2,7 +2,9 @@ import { expect, test } from '@playwright/test';
 import { ofModel, SHOWN_UNITS, UNITS } from '../../web/length';
 import { CUTS, FILLS, INSIDE_NUMBERS, INSIDE_RANGES, WHOLE } from '../../web/state/inside';
 import { decodeLink, encodeLink, KEYS, refusedBy, refusedWords } from '../../web/state/link';
+import { PRESETS } from '../../web/state/presets';
 import { UNCHOSEN } from '../../web/state/sources';
+import { startOf as startOfAny } from '../../web/state/start';
 import { findStyle } from '../../web/state/styles';
 import {
   emptyScene,
@@ -50,6 +52,18 @@ function throughLink(state: SceneState): SceneState {
   if (!decoded.state) throw new Error('the link names no mesh');
   return decoded.state;
 }
+
+test('presets begin with what their links say', () => {
+  expect(startOfAny({ kind: 'preset', id: 'images' })).toMatchObject({
+    decals: [{ image: 'compass' }, { image: 'star' }],
+    sets: [],
+  });
+  expect(startOfAny({ kind: 'preset', id: 'broken' })).toMatchObject({ overlays: ['curves'], sources: [] });
+  expect(startOfAny({ kind: 'preset', id: 'broken' })?.sets.map(({ shape }) => shape.kind)).toEqual(['line', 'line']);
+  expect(startOfAny({ kind: 'preset', id: 'cells' })?.sources).toHaveLength(14);
+  expect(startOfAny({ kind: 'preset', id: 'loops' })?.overlays).toEqual(['loops', 'loop']);
+  for (const { start } of PRESETS) expect(start.walker).toBeTruthy();
+});
 
 test('the link of an unchanged preset is its name', () => {
   expect(encodeLink(START, START)).toBe('v=1&m=bunny');
@@ -384,6 +398,8 @@ test('places of a preset are left where it has other triangles, and what a link 
   const own = decodeLink('#v=1&m=bunny&fill=5000&s=3&w=none', startOf).state;
   expect(own).toMatchObject({ sources: [{ vertex: 3 }], walker: null });
   expect(decodeLink('#v=1&m=bunny&p=0', startOf).state?.sources).toBe(START.sources);
+  expect(decodeLink('#v=1&m=images&triangles=500', startOfAny).state?.decals).toEqual([]);
+  expect(decodeLink('#v=1&m=broken&triangles=500', startOfAny).state?.sets).toEqual([]);
 });
 
 test('another version gives a notice', () => {

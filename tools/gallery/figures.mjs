@@ -17,14 +17,6 @@ const bent = (corners, steps) => [
 ];
 const LINE = bent([[0.27, 0.47], [0.6, 0.66], [0.66, 0.3]], 9); // prettier-ignore
 
-/** Two strokes around the bunny's side, with a gap between them. */
-const BROKEN = [
-  'stroke:1011/2743/2834_2223/467/7459_-33/3540/1204_-2080/8486/1394_-407/2329/7500_-509/367/7888_106/3309/4624_-133/3830/571_512/1094/636_-48/700/6080_0/2382/1214_1256/6716/2427_37/5852/2277_-129/5934/196_13/1336/4865_-39/5472/568_-1293/3339/1304',
-  'stroke:325/681/168_-20/2186/4073_-5/2773/5820_7/6604/492_-16/7545/1237_1/5554/3851_44/546/1064_-10/9315/0_51/3141/6194_47/4708/429_9/330/7228_1317/1432/2991_-1222/3646/1634_62/1662/1673_48/1076/8086_17/1261/679_-426/621/8002_-65/4357/1028_273/3970/3042_-165/982/5290_791/717/2500_36/8306/1051',
-].join();
-/** The vertices that "Spread" finds. */
-const SPREAD = '19706,14392,10855,12056,2583,17635,6561,13915,13300,1400,21487,6529,22988,22070';
-
 export const FIGURES = [
   {
     name: 'family',
@@ -131,9 +123,9 @@ export const FIGURES = [
     title: 'What distance leads to',
     text: 'An image laid on a cow by the log map; a broken curve, and what is inside of it; what is nearest to each of fourteen sources; closed geodesics around handles.',
     panels: [
-      ['Images on the surface', 'm=animal&w=none&decal=29985:0.4804/0.054/0.4656,0.5,4,compass'],
-      ['Distance from a broken curve', `m=bunny&w=none&s=none&show=curves&sets=${BROKEN}`],
-      ['Cells', `m=dragon&w=none&show=cells&s=${SPREAD}`],
+      ['Images on the surface', 'm=images&w=none&s=none'],
+      ['Distance from a broken curve', 'm=broken'],
+      ['Cells', 'm=cells&w=none'],
       ['Loops around handles', 'm=high_genus&w=none&show=loops'],
     ],
   },

@@ -287,11 +287,13 @@ export function decodeLink(fragment: string, startOf: StartOf): Decoded {
   return { state, notices, refused, unknown: [...entries.keys()].filter((key) => !known.has(key)) };
 }
 
-/** A state without the sources, the walker and the ground that the mesh starts out with, and nobody asked for. */
+/** A state without the places and the ground that the mesh starts out with, and nobody asked for. */
 export function withoutOwn(state: SceneState, start: SceneState | null): SceneState {
   return {
     ...state,
     sources: state.sources === start?.sources ? UNCHOSEN : state.sources,
+    sets: state.sets === start?.sets ? [] : state.sets,
+    decals: state.decals === start?.decals ? [] : state.decals,
     walker: state.walker === start?.walker ? undefined : state.walker,
     ground: state.ground === start?.ground ? LEVEL : state.ground,
   };

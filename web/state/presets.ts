@@ -4,6 +4,7 @@ import type { InnerPoint, MeshInput, MeshPoint } from '../protocol';
 import { decodeGround, type Ground, LEVEL } from './ground';
 import { HIKE, VILLAGE } from './grounds';
 import { type Inside, WHOLE } from './inside';
+import { decodeLink } from './link';
 import { findStyle, DEFAULT_STYLE, type Style } from './styles';
 import { type Boundary, DEFAULT_PARAMETERS, type Method } from '../wasm/contract';
 import { nameOf } from '../files/address';
@@ -25,8 +26,8 @@ interface Outline {
   title: Words;
   credit?: Words;
   load?: () => Promise<MeshInput>;
-  sources: MeshPoint[];
-  walker: MeshPoint;
+  sources?: MeshPoint[];
+  walker?: MeshPoint;
   view?: readonly [number, number];
   style: string;
   change?: Partial<Style>;
@@ -41,32 +42,50 @@ interface Outline {
   fill?: number;
   /** How its inside is looked into, if at all. */
   inside?: Partial<Inside>;
+  /** What else it begins with, as keys of a link. */
+  more?: string;
 }
 
 /** Default view of a mesh: yaw and pitch in radians. */
 export const LANDING_VIEW = [0.6, 0.35] as const;
 
 function preset(id: string, outline: Outline): Preset {
-  const { title, credit, load, sources, walker, view, style, change, boundary, method, ground, parts, fill, inside } =
-    outline;
+  const {
+    title,
+    credit,
+    load,
+    sources,
+    walker,
+    view,
+    style,
+    change,
+    boundary,
+    method,
+    ground,
+    parts,
+    fill,
+    inside,
+    more,
+  } = outline;
+  const start: SceneState = {
+    ...emptyScene({ kind: 'preset', id }),
+    parts: parts ?? [],
+    method: method ?? 'heat',
+    sources: sources ?? [],
+    walker: walker ?? null,
+    ground: { ...LEVEL, ...ground },
+    fill: fill ?? null,
+    inside: { ...WHOLE, ...inside },
+    parameters: { ...DEFAULT_PARAMETERS, boundary: boundary ?? DEFAULT_PARAMETERS.boundary },
+    style: { ...(findStyle(style) ?? DEFAULT_STYLE), ...change },
+  };
   return {
     id,
     title,
     credit: credit ?? t('made by Heatwalk'),
     load: load ?? (() => Promise.resolve({ kind: inside ? 'tetrahedra' : 'shape', shape: id })),
     view: view ?? LANDING_VIEW,
-    start: {
-      ...emptyScene({ kind: 'preset', id }),
-      parts: parts ?? [],
-      method: method ?? 'heat',
-      sources,
-      walker,
-      ground: { ...LEVEL, ...ground },
-      fill: fill ?? null,
-      inside: { ...WHOLE, ...inside },
-      parameters: { ...DEFAULT_PARAMETERS, boundary: boundary ?? DEFAULT_PARAMETERS.boundary },
-      style: { ...(findStyle(style) ?? DEFAULT_STYLE), ...change },
-    },
+    start: (more && decodeLink(`m=${id}&${more}`, () => start).state) || start,
   };
 }
 
@@ -98,11 +117,21 @@ const over = (ground: string): Pick<Outline, 'style' | 'method' | 'ground'> => (
   ground: decodeGround(ground) ?? {},
 });
 
+const shape = (name: string) => (): Promise<MeshInput> => Promise.resolve({ kind: 'shape', shape: name });
+
+const BUNNY: Pick<Outline, 'credit' | 'load'> = {
+  credit: t('Stanford Computer Graphics Laboratory; reduced, public domain'),
+  load: async () => plainMesh('bunny', (await import('bunny')).default),
+};
+const DRAGON: Pick<Outline, 'credit' | 'load'> = {
+  credit: t('Stanford Computer Graphics Laboratory'),
+  load: loadDragon,
+};
+
 export const PRESETS: readonly [Preset, ...Preset[]] = [
   preset('bunny', {
     title: t('Bunny'),
-    credit: t('Stanford Computer Graphics Laboratory; reduced, public domain'),
-    load: async () => plainMesh('bunny', (await import('bunny')).default),
+    ...BUNNY,
     ...walk(746, 896),
     view: [-0.5, 0.25],
     style: 'zebra',
@@ -114,8 +143,7 @@ export const PRESETS: readonly [Preset, ...Preset[]] = [
   preset('skull', { title: t('Skull'), ...walk(13241, 4799), view: [1.8, 0.2], style: 'bone', parts: [0] }),
   preset('dragon', {
     title: t('Dragon'),
-    credit: t('Stanford Computer Graphics Laboratory'),
-    load: loadDragon,
+    ...DRAGON,
     ...walk(19706, 11215),
     view: [-0.25, 0.2],
     style: 'ember',
@@ -144,7 +172,7 @@ export const PRESETS: readonly [Preset, ...Preset[]] = [
   preset('terrain', { title: t('Terrain'), ...walk(13814, 128), view: [0.5, 0.6], style: 'contour' }),
   preset('hike', {
     title: t('Hike'),
-    load: () => Promise.resolve({ kind: 'shape', shape: 'terrain' }),
+    load: shape('terrain'),
     ...walk(14851, 1795),
     view: [0.5, 0.75],
     ...over(HIKE),
@@ -167,6 +195,42 @@ export const PRESETS: readonly [Preset, ...Preset[]] = [
     title: t('Cave'),
     ...walkInside([28356, [0.0246, 0.3378, 0.3412, 0.2964]], [25810, [0.4582, 0.0666, 0.3292, 0.146]], 'wedge'),
     style: 'lava',
+  }),
+  preset('images', {
+    title: t('Images on a cow'),
+    load: shape('animal'),
+    view: [0.6, 0.25],
+    style: 'porcelain',
+    more: 's=12608&w=14829&decal=37442:0.134/0.274/0.592,0.3,0,compass;37479:0.023/0.405/0.572,0.16,8,star',
+  }),
+  preset('broken', {
+    title: t('Broken curve'),
+    ...BUNNY,
+    view: [-0.5, 0.25],
+    style: 'zebra',
+    more: 'w=896&show=curves&sets=line:661-1038-734-247-476-1026-385,line:299-237-292-379-455-319-528',
+  }),
+  preset('cells', {
+    title: t('Cells of a dragon'),
+    ...DRAGON,
+    view: [-0.25, 0.2],
+    style: 'ember',
+    more: 's=19706,14392,10855,12056,2583,17635,6561,13915,13300,1400,21487,6529,22988,22070&w=11215&show=cells',
+  }),
+  preset('loops', {
+    title: t('Loops of a torus'),
+    load: shape('torus'),
+    view: [0.4, 0.7],
+    style: 'neon',
+    more: 's=7264,1504,4384&w=2998&show=loops,loop',
+  }),
+  preset('cloud', {
+    title: t('Knot of points'),
+    load: async () => (await import('./knot')).knotOfPoints(),
+    ...walk(0, 4000),
+    view: [0.3, 0.5],
+    style: 'lagoon',
+    method: 'auto',
   }),
   preset('torus', { title: t('Torus'), ...walk(7264, 2998), view: [0.4, 0.7], style: 'neon' }),
   preset('icosphere', { title: t('Sphere'), ...walk(2889, 10217), view: [1.3, 0.55], style: 'citrus' }),

@@ -322,6 +322,11 @@ export const PAGE: Texts = {
   Pipe: 'Tuyau',
   Cave: 'Grotte',
   Torus: 'Tore',
+  'Images on a cow': 'Images sur une vache',
+  'Broken curve': 'Courbe brisée',
+  'Cells of a dragon': 'Cellules d’un dragon',
+  'Loops of a torus': 'Boucles d’un tore',
+  'Knot of points': 'Nœud de points',
   Sphere: 'Sphère',
   'The dragon could not be downloaded (HTTP status {0}). Check the connection and choose it again.':
     'Le dragon n’a pas pu être téléchargé (statut HTTP {0}). Vérifiez la connexion et choisissez-le de nouveau.',
