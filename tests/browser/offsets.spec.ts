@@ -42,8 +42,20 @@ test('distance from a closed curve has its inside, in the link, in undo and in f
   }
   const values = new Set(points.map(({ distance }) => distance));
   expect([Math.min(...values) < -0.05, values.has(0), Math.max(...values) > 0.25]).toEqual([true, true, true]);
+  // What is read is of what is painted.
+  const legend = page.getByRole('region', { name: 'Legend' }).getByRole('img');
+  await expect(legend).toHaveAttribute(
+    'aria-label',
+    /Distance from curves: 0\.25 .*inside to 0\.35\d .*outside, by color\./,
+  );
+  const at = async (name: number) => page.mouse.move(...(await heatwalk.pixelOf({ vertex: name })));
+  await at(vertex(12, 12));
+  await expect(page.locator('.readout')).toContainText(/0\.2\d* .*inside of the curve/);
+  await at(vertex(12, 22));
+  await expect(page.locator('.readout')).toContainText(/0\.1[67]\d* .*from the curve/);
   await page.keyboard.press('Control+z');
   await expect(control(page)).not.toBeChecked();
+  await expect(legend).not.toHaveAttribute('aria-label', /curves/);
 });
 
 test('an open curve has two sides, too, and follows when it is drawn on', async ({ heatwalk, page }) => {

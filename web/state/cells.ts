@@ -1,5 +1,6 @@
 /** Cells that are shown, and their colors. */
 import type { FoundCells } from '../protocol';
+import { cssOf } from './linear';
 import type { Vector } from './vector';
 
 /** `outdated`: while others are found. */
@@ -35,8 +36,5 @@ export function linearColourOfCell(cell: number): Vector {
 
 /** The same in CSS. */
 export function colourOfCell(cell: number): string {
-  const encoded = linearColourOfCell(cell).map((value) =>
-    value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055,
-  );
-  return `rgb(${encoded.map((value) => Math.round(255 * value)).join(' ')})`;
+  return cssOf(linearColourOfCell(cell));
 }

@@ -50,6 +50,13 @@ export const SURFACE: Texts = {
     'Distance exacte à toute la courbe, avec un signe, en deux couleurs, et fichiers de ses parallèles.',
   'The curve and its offsets as DXF, OBJ, CSV or GLB, or as seen, as SVG or PDF.':
     'La courbe et ses parallèles en DXF, OBJ, CSV ou GLB, ou telles que vues, en SVG ou PDF.',
+  'From curves': 'Des courbes',
+  'Colors of {0} cell.': 'Couleurs de {0} cellule.',
+  'Colors of {0} cells.': 'Couleurs de {0} cellules.',
+  'Distance from curves: {0} inside to {1} outside, by color.':
+    'Distance aux courbes : de {0} à l’intérieur à {1} à l’extérieur, par couleur.',
+  '{0} inside of the curve · {1}': '{0} à l’intérieur de la courbe · {1}',
+  '{0} from the curve · {1}': '{0} de la courbe · {1}',
   Loops: 'Boucles',
   'Loops and curves': 'Boucles et courbes',
   'Loops and curves are on surfaces alone.': 'Les boucles et les courbes sont sur des surfaces seulement.',

@@ -94,12 +94,26 @@ export class Readout {
   }
 }
 
+/** The distance from curves where that is shown, linear between corners; null: it is not, or is not known there. */
+function sideAt({ offsets }: Session, point: MeshPoint): number | null {
+  if (!offsets.value || !('face' in point)) return null;
+  const { values } = offsets.value;
+  const sum = point.weights.reduce((total, weight, k) => total + weight * (values[3 * point.face + k] ?? NaN), 0);
+  return Number.isFinite(sum) ? sum : null;
+}
+
 /** `best`: the distance; null where it is taken from those of vertices for now. */
 function readoutText(session: Session, point: MeshPoint, best: ModelLength | null): Words | null {
   const { scene, shown } = session;
   if (!shown.value) return null;
   const { opened, places, answer } = shown.value;
   const vertex = t`vertex ${places.nearestVertex(point)}`;
+  const side = sideAt(session, point);
+  if (side !== null) {
+    const length = measure(ofModel(Math.abs(side)), unitOf(scene.state, opened));
+    const about = places.isBetween(point) ? t`≈ ${length}` : length;
+    return side < 0 ? t`${about} inside of the curve · ${vertex}` : t`${about} from the curve · ${vertex}`;
+  }
   if (!answer.field || session.isOutdated) return vertex;
   const distance = best ?? places.valueAt(point, answer.field);
   if (!Number.isFinite(distance)) return t`unreachable · ${vertex}`;

@@ -20,16 +20,8 @@ import { type Pattern, rampBytes, type Style, telling, WIDEST_LINE } from '../..
 import { between, cross, dot, type Vector } from '../../state/vector';
 import type { View } from '../../view/view';
 import { t, sentences, type Words } from '../../texts';
-
-/** A bar of the colors. */
-export interface Bar {
-  title: string;
-  ticks: { at: number; text: string }[];
-  /** Gives the color at a share of the largest value; `pixels`: of the whole bar, `scale` of them a CSS pixel. */
-  colours: (pixels: number, scale: number) => (share: number) => string;
-  /** What the colors depend on beside the rest. */
-  key: string;
-}
+import type { Bar } from './bar';
+import { besideOf } from './beside';
 
 /** A length on the screen, CSS pixels. */
 export interface ScaleBar {
@@ -86,13 +78,14 @@ export function contentOf(session: Session, isCompact: boolean): Content | null 
   const isSeen = !ofFile || (style.pattern !== 'none' && style.maps.includes('colour'));
   const painted: Painted = { kind, most, isCost: hasCosts(answer.question.ground) };
   const spacing = spacingOf(style.pattern, painted, period);
-  const bar = isKnown && isSeen && most > 0;
+  const beside = besideOf(session, unit, MOST_TICKS[form]);
+  const bar = isKnown && isSeen && most > 0 && !beside;
   const scale = scaleBarOf(session, LONGEST[form]);
   const ticks = ticksOf(painted, unit, MOST_TICKS[form]);
   const plain = { ...unit, assumed: false };
   const axes = isCompact ? [] : axesOf(session);
   const apart =
-    spacing && bar
+    spacing && (bar || beside?.bar === null)
       ? apartWords(style.pattern, painted.isCost ? t`${measure(spacing, plain)} of cost` : measure(spacing, plain))
       : null;
   return {
@@ -109,13 +102,14 @@ export function contentOf(session: Session, isCompact: boolean): Content | null 
           colours: coloursOf(view, style, ofFile),
           key: JSON.stringify([style, ofFile, most, period, offset]),
         }
-      : null,
+      : (beside?.bar ?? null),
     spacing: String(isCompact || !apart ? '' : apart),
     scale,
     axes: opened.isTerrain ? [] : axes,
     north: opened.isTerrain ? northOf(axes) : null,
     words: sentences(
       t('Legend.'),
+      beside && beside.words,
       bar
         ? t`${titleWords(painted, unit)}: from ${entry(ticks, 0).text} to ${largestWords(painted, unit)}, by color.`
         : null,

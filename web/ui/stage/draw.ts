@@ -1,6 +1,7 @@
 /** Draws the legend, on the page as on saved pictures. All numbers are CSS pixels. */
 import type { PlaneContext } from '../../view/view';
-import type { Axis, Bar, Content, North } from './content';
+import type { Bar } from './bar';
+import type { Axis, Content, North } from './content';
 import type { Vector } from '../../state/vector';
 
 export interface Look {

@@ -67,6 +67,8 @@ export class Legend {
     const soon = () => this.#followSoon();
     isOn.watch(soon);
     session.shown.watch(soon);
+    session.offsets.watch(soon);
+    session.cells.watch(soon);
     session.scene.subscribe(soon);
     session.view.trouble.watch(soon);
     // Another language, other colors, another size.
