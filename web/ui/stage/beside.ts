@@ -2,7 +2,7 @@
 import type { CurveDistances } from '../../protocol';
 import type { Session } from '../../session/session';
 import { type LengthUnit, ofModel, told } from '../../length';
-import { roundStep } from '../../state/legend';
+import { roundBelow, roundStep } from '../../state/legend';
 import { cssOf } from '../../state/linear';
 import { measure, threeDigits, withUnit } from '../../state/measures';
 import { colourOfSide } from '../../state/sides';
@@ -30,7 +30,7 @@ function ofCurves({ range }: CurveDistances, unit: LengthUnit, period: number, c
   const largest = Math.max(-least, most);
   const at = (value: number) => (value - least) / (most - least);
   const whole = told(ofModel(most - least), unit);
-  const step = roundStep(whole, count);
+  const step = Math.min(roundStep(whole, count), roundBelow(told(ofModel(largest), unit)));
   const [first, last] = [Math.ceil(told(least, unit) / step), Math.floor(told(most, unit) / step)];
   const scale = told(ofModel(1), unit);
   const ticks = Array.from({ length: last - first + 1 }, (_, k) => {
