@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use heatwalk_surface::edges::EdgeNames;
-use heatwalk_surface::{Place, Source, Surface, SurfaceId, ToPoint, VertexData};
+use heatwalk_surface::{HalfedgeId, Place, Source, Surface, SurfaceId, ToPoint, VertexData};
 
 use crate::cost::Costs;
 use crate::error::{Error, Result};
@@ -63,9 +63,8 @@ pub(crate) fn one_a_place(surface: &Surface, sources: impl IntoIterator<Item = S
     let mut names = EdgeNames::default();
     let mut on_first = |place: Place| match place {
         Place::Edge { halfedge, fraction } => {
-            let first = names.first(surface.edges(), halfedge);
-            let is_against = surface.ends(first) != surface.ends(halfedge);
-            Place::Edge { halfedge: first, fraction: if is_against { 1.0 - fraction } else { fraction } }
+            let (halfedge, fraction) = on_first(&mut names, surface, (halfedge, fraction));
+            Place::Edge { halfedge, fraction }
         }
         _ => place,
     };
@@ -79,6 +78,17 @@ pub(crate) fn one_a_place(surface: &Surface, sources: impl IntoIterator<Item = S
         }
     }
     kept
+}
+
+/// A place on an edge as the first half-edge of the same edge sees it.
+pub(crate) fn on_first(
+    names: &mut EdgeNames,
+    surface: &Surface,
+    (halfedge, fraction): (HalfedgeId, f64),
+) -> (HalfedgeId, f64) {
+    let first = names.first(surface.edges(), halfedge);
+    let is_against = surface.ends(first) != surface.ends(halfedge);
+    (first, if is_against { 1.0 - fraction } else { fraction })
 }
 
 /// The places of the sources that no other one reaches before their initial distance.

@@ -19,8 +19,8 @@ use heatwalk::exact::ExactGeometry;
 use heatwalk::propagation::{Propagation, propagated_distance};
 use heatwalk::surface::Error as SurfaceError;
 use heatwalk::{
-    Element, Error, ExactSearch, FaceId, InputVertex, Place, PropagationOptions, RelativeError, VertexId, Windows,
-    descend, go_on, straighten,
+    Element, Error, ExactSearch, FaceId, HalfedgeId, InputVertex, Place, PropagationOptions, RelativeError, VertexId,
+    Windows, descend, go_on, straighten,
 };
 use heatwalk_shapes as shapes;
 
@@ -166,6 +166,30 @@ fn all_windows_are_exact_and_factors_are_for_nothing() {
     let few = propagated(&geometry, &sources, 1);
     let inside = few.values().iter().zip(exact.values()).filter(|&(_, &least)| least < few.exact_below());
     assert!(inside.clone().count() > 100 && inside.clone().all(|(value, least)| value == least));
+}
+
+#[test]
+fn of_many_sources_on_an_edge_of_many_faces_those_that_go_are_near_to_all() {
+    let (pages, count) = (200, 500_usize);
+    let geometry = geometry(&Arc::new(surface(&common::book(pages, 1))));
+    let of_all_pages = |halfedge: &HalfedgeId| geometry.surface().faces_of_edge(*halfedge).count() == pages as usize;
+    let mut halfedges = (0..3 * geometry.surface().face_count()).map(HalfedgeId::from_index);
+    let halfedge = halfedges.find(of_all_pages).expect("the spine");
+    let sources: Vec<(Place, f64)> = (0..count)
+        .map(|number| {
+            let fraction = (number as f64 + 0.5) / count as f64;
+            (Place::Edge { halfedge, fraction }, 0.1 * (number * 7 % count) as f64 / count as f64)
+        })
+        .collect();
+    let exact = exact(&geometry, &sources);
+    let propagation = propagated(&geometry, &sources, 4);
+    assert_eq!((propagation.exact_below(), propagation.is_exact()), (0.0, false));
+    for ((&value, &least), source) in
+        propagation.values().iter().zip(exact.values()).zip(propagation.nearest_sources().iter())
+    {
+        assert!(value >= least * (1.0 - ROUNDING) && value <= least + 1.0 / 64.0, "{value} for {least}");
+        assert!(value >= sources[source.expect("all is reached")].1);
+    }
 }
 
 #[test]

@@ -10,9 +10,12 @@
 //! ("Geodesic distance computation via virtual source propagation", 2021), which keeps one source a face and may fall below
 //! the exact distance.
 //!
+//! Of many sources on one edge of many faces, some go for all.
+//!
 //! [`Carriers::Vertices`] goes on by fast marching instead, which keeps no windows. Beyond the exact search its values are not lengths
 //! of paths, may be below the exact distance, and may still fall a little below a radius that was reached.
 
+mod crowded;
 mod ends;
 mod front;
 mod grow;
@@ -33,7 +36,7 @@ use ends::NOWHERE;
 use front::Front;
 use grow::Grow;
 use heatwalk_sparse::{Progress, Stage, report};
-use heatwalk_surface::{Surface, ToSource, VertexData, VertexId};
+use heatwalk_surface::{Source, Surface, ToSource, VertexData, VertexId};
 use labels::Fixed;
 use march::March;
 use medium::Uniform;
@@ -50,6 +53,9 @@ const LEAST_WHERE_THIN: usize = 2;
 pub struct Propagation {
     options: PropagationOptions,
     geometry: Arc<ExactGeometry>,
+    sources: Vec<Source>,
+    /// The numbers of those that go for all; none where each does.
+    going: Option<Vec<u32>>,
     /// Goes first.
     exact: Wavefront,
     /// Windows that it may propagate.
@@ -71,8 +77,9 @@ impl Propagation {
             return Err(Error::NoSource);
         }
         let sources = checked_sources(geometry.surface(), sources)?;
-        let exact = Wavefront::of_checked(Arc::clone(&geometry), sources, &[])?;
         let faces = geometry.surface().face_count();
+        let going = Self::going(&geometry, &sources, options);
+        let exact = Wavefront::of_checked(Arc::clone(&geometry), of_numbers(&sources, going.as_deref()), &[])?;
         let front = match options.windows {
             Windows::All if geometry.costs().is_some() => return Err(Error::NotExact),
             Windows::All => None,
@@ -86,9 +93,13 @@ impl Propagation {
             (ExactSearch::Automatic, Carriers::Vertices) => EXACT_WINDOWS,
             (ExactSearch::AtMost(windows), _) => windows,
         };
-        let mut propagation = Self { options, geometry, exact, exact_windows, front, is_beyond: false };
+        let mut propagation = Self { options, geometry, sources, going, exact, exact_windows, front, is_beyond: false };
         propagation.begin()?;
         Ok(propagation)
+    }
+
+    fn going(geometry: &ExactGeometry, sources: &[Source], options: PropagationOptions) -> Option<Vec<u32>> {
+        if options.windows == Windows::All { None } else { crowded::going(geometry, sources) }
     }
 
     /// Lets the front begin at the sources where no exact search may go first.
@@ -128,7 +139,10 @@ impl Propagation {
         if sources.is_empty() {
             return Err(Error::NoSource);
         }
-        self.exact.restart(sources)?;
+        let sources = checked_sources(self.geometry.surface(), sources)?;
+        self.going = Self::going(&self.geometry, &sources, self.options);
+        self.exact.restart_checked(of_numbers(&sources, self.going.as_deref()));
+        self.sources = sources;
         self.begin()
     }
 
@@ -183,12 +197,13 @@ impl Propagation {
 
     /// Whether the exact search has done it all.
     pub fn is_exact(&self) -> bool {
-        self.beyond().is_none()
+        self.beyond().is_none() && self.going.is_none()
     }
 
-    /// Every value below this is exact, once it is final; infinity when all are. 0 where faces have different costs.
+    /// Every value below this is exact, once it is final; infinity when all are. 0 where faces have different costs, and where some
+    /// sources on an edge of many faces go for all.
     pub fn exact_below(&self) -> f64 {
-        if self.geometry.costs().is_some() { 0.0 } else { self.exact.radius() }
+        if self.geometry.costs().is_some() || self.going.is_some() { 0.0 } else { self.exact.radius() }
     }
 
     /// `#V`, distances from the sources, by windows lengths of paths, in the file's unit; infinite where none has been found.
@@ -204,7 +219,8 @@ impl Propagation {
             None if self.exact.values()[vertex] < f64::INFINITY => self.exact.source_of(vertex.0),
             None => NOWHERE,
         };
-        let known = |vertex| Some(number(vertex)).filter(|&number| number != NOWHERE).map(|number| number as usize);
+        let of_all = |number: u32| self.going.as_ref().map_or(number, |going| going[number as usize]) as usize;
+        let known = |vertex| Some(number(vertex)).filter(|&number| number != NOWHERE).map(of_all);
         self.surface().vertices().map(known).collect()
     }
 
@@ -215,7 +231,7 @@ impl Propagation {
 
     /// The distance, as it is now.
     pub fn distance(&self) -> Distance {
-        Distance::of_paths(self.surface(), self.values().clone(), self.exact.sources(), self.exact_below())
+        Distance::of_paths(self.surface(), self.values().clone(), &self.sources, self.exact_below())
             .crossing(self.crossings())
             .weighted(self.geometry.costs())
     }
@@ -228,6 +244,11 @@ impl Propagation {
             None => self.exact.entered(end),
         })
     }
+}
+
+/// Sources of these numbers, or all.
+fn of_numbers(sources: &[Source], numbers: Option<&[u32]>) -> Vec<Source> {
+    numbers.map_or_else(|| sources.to_vec(), |numbers| numbers.iter().map(|&number| sources[number as usize]).collect())
 }
 
 /// A front that is nowhere yet; where windows carry it, with so many stretches of each half-edge.
