@@ -280,3 +280,91 @@ impl Tree {
         nearest.0.is_finite().then_some(nearest.1)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    use std::f64::consts::TAU;
+
+    use glam::{DMat3, DVec3};
+    use heatwalk::VertexId;
+
+    use super::*;
+    use crate::march::March;
+    use crate::soup::TetSoup;
+
+    /// A prism that turns by so much, in radians, cut across into flat ones, of three tetrahedra each.
+    fn twisted_slices(slices: u32, turn: f64) -> TetSoup {
+        let positions = (0..=slices).flat_map(|slice| {
+            let z = f64::from(slice) / f64::from(slices);
+            let turned = DMat3::from_rotation_z(turn * z);
+            [DVec3::ZERO, DVec3::X, DVec3::Y].map(|corner| turned * corner + z * DVec3::Z)
+        });
+        let tetrahedra = (0..slices).flat_map(|slice| {
+            let [a, b, c, d, e, f] = [0, 1, 2, 3, 4, 5].map(|k| 3 * slice + k);
+            [[a, b, c, d], [b, c, d, e], [c, d, e, f]]
+        });
+        TetSoup { positions: positions.collect(), tetrahedra: tetrahedra.collect() }
+    }
+
+    /// Tetrahedra around a vertex, whose rim goes up and down, so that paths bend around its lower corners.
+    fn waves_around_vertex(count: u32) -> TetSoup {
+        let rim = (0..count).map(|corner| {
+            let (y, x) = (TAU * f64::from(corner) / f64::from(count)).sin_cos();
+            DVec3::new(x, 0.0, y) * if corner % 2 == 0 { 0.5 } else { 1.0 }
+        });
+        let positions = [DVec3::Y].into_iter().chain(rim).chain([DVec3::NEG_Y, DVec3::ZERO]).collect();
+        let (below, middle) = (count + 1, count + 2);
+        let around = |corner: u32| {
+            let next = corner % count + 1;
+            [[middle, 0, next, corner], [middle, below, corner, next]]
+        };
+        TetSoup { positions, tetrahedra: (1..=count).flat_map(around).collect() }
+    }
+
+    /// `#V`, the ways along edges from a vertex, by relaxing all edges until none is shorter.
+    fn along_edges(mesh: &TetMesh, from: usize) -> Vec<f64> {
+        let mut ways = vec![f64::INFINITY; mesh.vertex_count()];
+        ways[from] = 0.0;
+        let mut changed = vec![from as u32];
+        while let Some(here) = changed.pop() {
+            for &other in mesh.adjacent().row(here) {
+                let [a, b] = [here, other].map(|end| mesh.positions()[end as usize]);
+                let way = ways[here as usize] + a.distance(b);
+                if way < ways[other as usize] * (1.0 - 1e-13) {
+                    ways[other as usize] = way;
+                    changed.insert(0, other);
+                }
+            }
+        }
+        ways
+    }
+
+    /// Of a search from vertex 1 in a riddled mesh, whether paths are pulled; none where to see who sees whom is too much work. Whichever it is,
+    /// no distance is above the way along edges or below the straight line.
+    fn is_pulled(soup: &TetSoup) -> Option<bool> {
+        let mesh = TetMesh::build(soup).unwrap();
+        let medium = Medium::new(&mesh, None).unwrap();
+        let sources = [TetPoint::Vertex(VertexId(1)).into()];
+        let found = March::new(&mesh, &medium, &sources).within(f64::INFINITY);
+        let edges = along_edges(&mesh, 1);
+        for (to, (&value, along)) in mesh.positions().iter().zip(found.distances.iter().zip(edges)) {
+            let straight = mesh.positions()[1].distance(*to);
+            assert!(value >= straight * (1.0 - 1e-12) && value <= along * (1.0 + 1e-12), "{straight} {value} {along}");
+        }
+        let mut search = Sights::new(&mesh, &medium, medium.nodes().expect("a riddled mesh"), &sources)?;
+        search.advance(f64::INFINITY, usize::MAX);
+        let (_, _, is_pulled) = search.finish();
+        assert_eq!(found.exact_below, if is_pulled { f64::INFINITY } else { 0.0 });
+        Some(is_pulled)
+    }
+
+    #[test]
+    fn what_would_be_too_much_work_is_left_out() {
+        assert_eq!(is_pulled(&twisted_slices(100, 3.0 * TAU)), Some(true));
+        assert_eq!(is_pulled(&twisted_slices(1000, 150.0 * TAU)), Some(false), "paths have many corners");
+        assert_eq!(is_pulled(&waves_around_vertex(1000)), None, "vertices touch many tetrahedra");
+    }
+}
