@@ -4,12 +4,13 @@ use std::time::Instant;
 
 use anyhow::{Result, bail};
 use glam::DVec3;
-use heatwalk::{Cells as Found, FaceId, Source, Surface, Unit, Up, VertexData, cell_map, cells as found, go_on};
+use heatwalk::{Cells as Found, FaceId, Surface, Unit, Up, VertexData, cell_map, cells as found, go_on};
 use heatwalk_curves::{Borders, Field, Isolines, write};
 use serde_json::json;
 
 use crate::args::Cells;
 use crate::input::Input;
+use crate::locate::Locator;
 use crate::output::{CurveFormat, Output};
 use crate::question::joined;
 use crate::report::milliseconds;
@@ -24,8 +25,9 @@ pub fn cells(arguments: &Cells) -> Result<String> {
     let soup = &input.model.soup;
     arguments.sources.iter().try_for_each(|source| source.place.check(soup))?;
     let (mut solver, mut report, build_ms) = joined(&input, &arguments.mesh, &arguments.bridging)?;
-    let on_surface = arguments.sources.iter().map(|source| source.on(soup, solver.surface()));
-    let sources = on_surface.collect::<Result<Vec<Source>>>()?;
+    let locator = Locator::new(soup, solver.surface());
+    let sources = arguments.sources.iter().map(|source| locator.source(source)).collect::<Result<Vec<_>>>()?;
+    locator.tell(&mut report);
     let start = Instant::now();
     let geometry = solver.exact_geometry();
     let surface = geometry.surface();

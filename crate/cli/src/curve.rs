@@ -10,11 +10,12 @@ use anyhow::{Context, Result, bail, ensure};
 use clap::Args;
 use heatwalk::exact::ExactGeometry;
 use heatwalk::{
-    Choice, Curve, DistanceOptions, DistanceSolver, Method, Place, Sign, SignedDistance, Soup, Surface, SurfacePoint,
-    VertexData, curve_distance, curve_search, go_on, signed_curve_distance,
+    Choice, Curve, DistanceOptions, DistanceSolver, Method, Place, Sign, SignedDistance, VertexData, curve_distance,
+    curve_search, go_on, signed_curve_distance,
 };
 use serde_json::Value;
 
+use crate::locate::Locator;
 use crate::options::{choice, chosen};
 use crate::place::Place as Written;
 use crate::report::milliseconds;
@@ -71,17 +72,14 @@ impl FromStr for Course {
 
 impl Course {
     /// On a surface; where it is to be `closed`, back to its begin.
-    fn on(&self, soup: &Soup, solver: &mut DistanceSolver, closed: bool) -> Result<Curve> {
+    fn on(&self, locator: &Locator<'_>, solver: &mut DistanceSolver, closed: bool) -> Result<Curve> {
         match self {
             Self::Boundary => {
                 let boundary = Curve::boundary(solver.surface());
                 boundary.context("the surface has no boundary; give places for the curve")
             }
             Self::Through { places, is_closed } => {
-                places.iter().try_for_each(|place| place.check(soup))?;
-                let surface: &Surface = solver.surface();
-                let points = places.iter().map(|place| place.on(soup, surface));
-                let points: Vec<SurfacePoint> = points.collect::<Result<_>>()?;
+                let points = places.iter().map(|place| locator.point(place)).collect::<Result<Vec<_>>>()?;
                 Ok(Curve::through(solver.exact_geometry(), &points, closed || *is_closed, &mut go_on)?)
             }
         }
@@ -128,10 +126,10 @@ impl Curves {
     }
 
     /// Distances from all of them.
-    pub fn distances(&self, soup: &Soup, solver: &mut DistanceSolver, closed: bool) -> Result<Found> {
+    pub fn distances(&self, locator: &Locator<'_>, solver: &mut DistanceSolver, closed: bool) -> Result<Found> {
         let mut curves = Vec::new();
         for (number, course) in self.curves.iter().enumerate() {
-            curves.push(course.on(soup, solver, closed).with_context(|| format!("curve {number}"))?);
+            curves.push(course.on(locator, solver, closed).with_context(|| format!("curve {number}"))?);
         }
         for file in &self.curve_files {
             let text = fs::read_to_string(file).with_context(|| format!("{}", file.display()))?;
@@ -139,7 +137,7 @@ impl Curves {
             let before = curves.len();
             for (index, line) in lines {
                 let course = line.parse::<Course>().map_err(anyhow::Error::msg);
-                let curve = course.and_then(|course| course.on(soup, solver, closed));
+                let curve = course.and_then(|course| course.on(locator, solver, closed));
                 curves.push(curve.with_context(|| format!("{}, line {}", file.display(), index + 1))?);
             }
             if curves.len() == before {

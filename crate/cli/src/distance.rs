@@ -10,6 +10,7 @@ use heatwalk::{
 use serde_json::{Value, json};
 
 use crate::args::{Distance, Question};
+use crate::locate::Locator;
 use crate::output::{Columns, Output};
 use crate::question::{Posed, pose};
 use crate::report::{Report, milliseconds, object};
@@ -83,7 +84,9 @@ impl Asked<'_> {
     /// From all curves at once, and the milliseconds that it took.
     fn of_curves(self, soup: &Soup, report: &mut Report) -> Result<(Columns, f64)> {
         let Question { curves, closed, .. } = &self.arguments.question;
-        let found = curves.distances(soup, self.solver, *closed)?;
+        let locator = Locator::new(soup, self.solver.surface());
+        let found = curves.distances(&locator, self.solver, *closed)?;
+        locator.tell(report);
         let values = self.solver.surface().to_inputs(&found.values, f64::INFINITY);
         report.extend(found.facts(&values));
         Ok((vec![("distance".to_owned(), values)], found.solve_ms))

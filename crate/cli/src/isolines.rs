@@ -13,6 +13,7 @@ use serde_json::json;
 use crate::args;
 use crate::curve::Found;
 use crate::distance::facts;
+use crate::locate::Locator;
 use crate::output::{CurveFormat, Output, SheetFormat};
 use crate::question::{Posed, pose};
 use crate::report::milliseconds;
@@ -28,7 +29,9 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
     let output = output.map(|path| Output::curves(path, arguments.strips, arguments.unroll)).transpose()?;
     let Posed { input, sources, mut prepared, mut report } = pose(question, arguments.axis.up, &options)?;
     let (asked, facts_told, solve_ms) = if question.curves.are_given() {
-        let found = question.curves.distances(&input.model.soup, &mut prepared.solver, question.closed)?;
+        let locator = Locator::new(&input.model.soup, prepared.solver.surface());
+        let found = question.curves.distances(&locator, &mut prepared.solver, question.closed)?;
+        locator.tell(&mut report);
         let values = prepared.solver.surface().to_inputs(&found.values, f64::INFINITY);
         let told = found.facts(&values);
         let solve_ms = found.solve_ms;

@@ -9,6 +9,7 @@ use serde_json::json;
 
 use crate::args::LogMap;
 use crate::input::Input;
+use crate::locate::Locator;
 use crate::output::Output;
 use crate::question::{diffusion, joined};
 use crate::report::milliseconds;
@@ -21,7 +22,9 @@ pub fn log_map(arguments: &LogMap) -> Result<String> {
     let input = Input::of(&arguments.mesh)?;
     arguments.source.check(&input.model.soup)?;
     let (mut solver, mut report, build_ms) = joined(&input, &arguments.mesh, &arguments.bridging)?;
-    let source = arguments.source.on(&input.model.soup, solver.surface())?;
+    let locator = Locator::new(&input.model.soup, solver.surface());
+    let source = locator.point(&arguments.source)?;
+    locator.tell(&mut report);
     let start = Instant::now();
     let (method, direction) = (arguments.method.as_str(), arguments.direction);
     let map = if method == Method::Heat.name() {

@@ -4,12 +4,13 @@ use std::path::Path as File;
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{Path, SurfacePoint, closed_geodesic, geodesic_loop, go_on, handle_loops};
+use heatwalk::{Path, closed_geodesic, geodesic_loop, go_on, handle_loops};
 use serde_json::{Value, json};
 
 use crate::args::Loop;
 use crate::complaint::complain;
 use crate::input::Input;
+use crate::locate::Locator;
 use crate::output::Output;
 use crate::question::joined;
 use crate::report::{milliseconds, object};
@@ -23,12 +24,12 @@ pub fn loops(arguments: &Loop) -> Result<String> {
     let soup = &input.model.soup;
     arguments.through.iter().try_for_each(|place| place.check(soup))?;
     let (mut solver, mut report, build_ms) = joined(&input, &arguments.mesh, &arguments.bridging)?;
-    let surface = solver.surface();
-    let places = arguments.through.iter().map(|place| place.on(soup, surface));
-    let places: Vec<SurfacePoint> = places.collect::<Result<_>>()?;
+    let locator = Locator::new(soup, solver.surface());
+    let places = arguments.through.iter().map(|place| locator.point(place)).collect::<Result<Vec<_>>>()?;
+    locator.tell(&mut report);
     let start = Instant::now();
     let loops = if arguments.handles {
-        handle_loops(surface, &mut go_on)?
+        handle_loops(solver.surface(), &mut go_on)?
     } else {
         let held = geodesic_loop(solver.exact_geometry(), &places, &mut go_on)?;
         vec![if arguments.free { closed_geodesic(solver.surface(), &held)? } else { held }]

@@ -3,11 +3,12 @@
 use std::time::Instant;
 
 use anyhow::Result;
-use heatwalk::{InputPlace, Mean as Found, SurfacePoint, go_on, mean as found};
+use heatwalk::{InputPlace, Mean as Found, go_on, mean as found};
 use serde_json::json;
 
 use crate::args::Mean;
 use crate::input::Input;
+use crate::locate::Locator;
 use crate::place::Place;
 use crate::question::joined;
 use crate::report::milliseconds;
@@ -20,8 +21,10 @@ pub fn mean(arguments: &Mean) -> Result<String> {
     let soup = &input.model.soup;
     arguments.sources.iter().try_for_each(|source| source.place.check(soup))?;
     let (mut solver, mut report, build_ms) = joined(&input, &arguments.mesh, &arguments.bridging)?;
-    let weighted = arguments.sources.iter().map(|at| Ok((at.place.on(soup, solver.surface())?, at.weight)));
-    let weighted: Vec<(SurfacePoint, f64)> = weighted.collect::<Result<_>>()?;
+    let locator = Locator::new(soup, solver.surface());
+    let weighted = arguments.sources.iter().map(|at| Ok((locator.point(&at.place)?, at.weight)));
+    let weighted = weighted.collect::<Result<Vec<_>>>()?;
+    locator.tell(&mut report);
     let start = Instant::now();
     let Found { place, variance } = found(solver.exact_geometry(), &weighted, &mut go_on)?;
     let mean_ms = milliseconds(start);

@@ -12,6 +12,7 @@ use serde_json::json;
 
 use crate::args::Path;
 use crate::input::Input;
+use crate::locate::Locator;
 use crate::output::Output;
 use crate::question::walkable;
 use crate::report::milliseconds;
@@ -53,8 +54,9 @@ pub fn path(arguments: &Path) -> Result<String> {
     let soup = &input.model.soup;
     arguments.places().try_for_each(|place| place.check(soup))?;
     let (solver, mut report, build_ms) = walkable(&input, &arguments.mesh, &arguments.solving, arguments.axis.up)?;
-    let places = arguments.places().map(|place| place.on(soup, solver.surface()));
-    let places: Vec<SurfacePoint> = places.collect::<Result<_>>()?;
+    let locator = Locator::new(soup, solver.surface());
+    let places = arguments.places().map(|place| locator.point(place)).collect::<Result<Vec<_>>>()?;
+    locator.tell(&mut report);
     let mut prepared = prepare((solver, build_ms), &options)?;
     let found = if arguments.bezier {
         controlled(&mut prepared.solver, &places)?

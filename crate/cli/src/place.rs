@@ -5,9 +5,10 @@ use std::str::FromStr;
 
 use anyhow::{Context, Result, bail};
 use glam::DVec3;
-use heatwalk::{Element, InputPlace, InputVertex, Soup, Source, Surface, SurfacePoint, VertexId, edge_polyline};
+use heatwalk::{Element, InputPlace, InputVertex, Soup, Source, Surface, VertexId, edge_polyline};
 
-/// A vertex `V`, or a place `F:b0,b1,b2` in a triangle or `T:b0,b1,b2,b3` in a tetrahedron, counted as in the file.
+/// A vertex `V`, or a place `F:b0,b1,b2` in a triangle or `T:b0,b1,b2,b3` in a tetrahedron, counted as in the file; or the one nearest to
+/// coordinates `@X,Y,Z`.
 #[derive(Debug, Clone, Copy)]
 pub enum Place {
     Vertex(usize),
@@ -21,6 +22,8 @@ pub enum Place {
         tetrahedron: usize,
         weights: [f64; 4],
     },
+    /// In the unit and the axes of the file, finite.
+    Coordinates(DVec3),
 }
 
 /// A place and the distance that it starts from, `S` or `S@D`.
@@ -52,6 +55,12 @@ impl FromStr for Place {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
+        if let Some(coordinates) = text.strip_prefix('@') {
+            let position = vector(coordinates).filter(|position| position.is_finite());
+            let position =
+                position.ok_or_else(|| "after @ give three finite coordinates, such as @0.5,1,0".to_owned())?;
+            return Ok(Self::Coordinates(position));
+        }
         let place = match text.split_once(':') {
             None => text.parse().ok().map(Self::Vertex),
             Some((element, weights)) => {
@@ -64,7 +73,7 @@ impl FromStr for Place {
             }
         };
         place.ok_or_else(|| {
-            "give a vertex, such as 12, or a triangle and three weights, such as 5:0.2,0.3,0.5 (of a tetrahedron, four)"
+            "give a vertex, such as 12, a triangle and three weights, such as 5:0.2,0.3,0.5 (of a tetrahedron, four), or coordinates, such as @0.5,1,0"
                 .to_owned()
         })
     }
@@ -77,6 +86,7 @@ impl fmt::Display for Place {
             Self::Vertex(vertex) => write!(formatter, "{vertex}"),
             Self::Triangle { triangle, weights } => write!(formatter, "{triangle}:{}", written(weights)),
             Self::Tetrahedron { tetrahedron, weights } => write!(formatter, "{tetrahedron}:{}", written(weights)),
+            Self::Coordinates(position) => write!(formatter, "@{}", written(&position.to_array())),
         }
     }
 }
@@ -85,7 +95,7 @@ impl FromStr for SourcePlace {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let Some((place, initial_distance)) = text.split_once('@') else {
+        let Some((place, initial_distance)) = split_number(text) else {
             return Ok(Self { place: text.parse()?, initial_distance: 0.0 });
         };
         match initial_distance.parse::<f64>() {
@@ -101,13 +111,20 @@ impl FromStr for WeightedPlace {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let Some((place, weight)) = text.split_once('@') else {
+        let Some((place, weight)) = split_number(text) else {
             return Ok(Self { place: text.parse()?, weight: 1.0 });
         };
         let weight = weight.parse().ok().filter(|&weight: &f64| weight > 0.0 && weight.is_finite());
         let weight = weight.ok_or_else(|| "after @ give a positive weight, such as 12@0.5".to_owned())?;
         Ok(Self { place: place.parse()?, weight })
     }
+}
+
+/// A place and the number after it, if there is one. An `@` that a place begins with is its own.
+fn split_number(text: &str) -> Option<(&str, &str)> {
+    let own = usize::from(text.starts_with('@'));
+    let at = own + text[own..].find('@')?;
+    Some((&text[..at], &text[at + 1..]))
 }
 
 impl FromStr for PlacedVector {
@@ -150,26 +167,20 @@ impl From<InputPlace> for Place {
 impl Place {
     /// Fails early, before the surface is built, for a vertex or triangle that does not exist.
     pub fn check(&self, soup: &Soup) -> Result<()> {
-        Ok(self.of_surface()?.check(soup)?)
+        match self {
+            Self::Coordinates(_) => Ok(()),
+            place => Ok(place.of_surface()?.check(soup)?),
+        }
     }
 
-    /// The point of the surface.
-    pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<SurfacePoint> {
-        Ok(self.of_surface()?.on(soup, surface)?)
-    }
-
-    fn of_surface(&self) -> Result<InputPlace> {
+    /// On the triangles of a file.
+    pub fn of_surface(&self) -> Result<InputPlace> {
         match *self {
             Self::Vertex(vertex) => Ok(InputPlace::Vertex(vertex)),
             Self::Triangle { triangle, weights } => Ok(InputPlace::Triangle { triangle, weights }),
             Self::Tetrahedron { .. } => bail!("four weights are for tetrahedra; a place in a triangle has three"),
+            Self::Coordinates(_) => bail!("{self} is looked for on the surface, not in the file"),
         }
-    }
-}
-
-impl SourcePlace {
-    pub fn on(&self, soup: &Soup, surface: &Surface) -> Result<Source> {
-        Ok(surface.source(self.place.on(soup, surface)?, self.initial_distance)?)
     }
 }
 

@@ -6,6 +6,7 @@ use heatwalk::{DistanceOptions, DistanceSolver, Source, Up, go_on};
 
 use crate::args::{Bridging, Mesh, Question, Solving};
 use crate::input::Input;
+use crate::locate::Locator;
 use crate::report::Report;
 use crate::timing::{Prepared, build, join, prepare};
 
@@ -23,12 +24,10 @@ pub fn pose(question: &Question, up: Up, options: &DistanceOptions) -> Result<Po
     let input = Input::of(&question.mesh)?;
     question.sources.iter().try_for_each(|source| source.place.check(&input.model.soup))?;
     question.lines.iter().try_for_each(|line| line.check(&input.model.soup))?;
-    let (solver, report, build_ms) = walkable(&input, &question.mesh, &question.solving, up)?;
-    let mut sources = question
-        .sources
-        .iter()
-        .map(|source| source.on(&input.model.soup, solver.surface()))
-        .collect::<Result<Vec<_>>>()?;
+    let (solver, mut report, build_ms) = walkable(&input, &question.mesh, &question.solving, up)?;
+    let locator = Locator::new(&input.model.soup, solver.surface());
+    let mut sources = question.sources.iter().map(|source| locator.source(source)).collect::<Result<Vec<_>>>()?;
+    locator.tell(&mut report);
     for line in &question.lines {
         sources.extend(line.on(solver.surface(), question.closed)?);
     }

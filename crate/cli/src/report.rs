@@ -173,6 +173,13 @@ impl Report {
                     let label = format!("loop {index}");
                     writeln!(text, "{label:<22} length {}", of_loop["length"])
                 }),
+                Value::Array(places) if name == "snapped" && places.len() <= FEW => {
+                    places.iter().enumerate().try_for_each(|(index, snapped)| {
+                        let label = format!("snapped {index}");
+                        let [given, place] = ["given", "place"].map(|end| snapped[end].as_str().unwrap_or_default());
+                        writeln!(text, "{label:<22} {given} to {place}, {} away", snapped["distance"])
+                    })
+                }
                 Value::Array(numbers) if numbers.len() <= FEW && numbers.iter().all(Value::is_number) => {
                     let numbers: Vec<String> = numbers.iter().map(Value::to_string).collect();
                     writeln!(text, "{name:<22} {}", numbers.join(","))

@@ -4,11 +4,12 @@ use std::time::Instant;
 
 use anyhow::Result;
 use glam::DVec3;
-use heatwalk::{Choice, Method, SurfacePoint, go_on, transport as carried};
+use heatwalk::{Choice, Method, go_on, transport as carried};
 use serde_json::json;
 
 use crate::args::Transport;
 use crate::input::Input;
+use crate::locate::Locator;
 use crate::output::Output;
 use crate::question::{diffusion, joined};
 use crate::report::milliseconds;
@@ -22,8 +23,10 @@ pub fn transport(arguments: &Transport) -> Result<String> {
     let soup = &input.model.soup;
     arguments.vectors.iter().try_for_each(|at| at.place.check(soup))?;
     let (mut solver, mut report, build_ms) = joined(&input, &arguments.mesh, &arguments.bridging)?;
-    let placed = arguments.vectors.iter().map(|at| Ok((at.place.on(soup, solver.surface())?, at.vector)));
-    let placed: Vec<(SurfacePoint, DVec3)> = placed.collect::<Result<_>>()?;
+    let locator = Locator::new(soup, solver.surface());
+    let placed = arguments.vectors.iter().map(|at| Ok((locator.point(&at.place)?, at.vector)));
+    let placed = placed.collect::<Result<Vec<_>>>()?;
+    locator.tell(&mut report);
     let start = Instant::now();
     let vectors = if arguments.method == Method::Heat.name() {
         diffusion(&solver)?.transport(&placed, &mut go_on)?

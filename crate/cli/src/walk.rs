@@ -8,6 +8,7 @@ use serde_json::json;
 
 use crate::args::Walk;
 use crate::input::Input;
+use crate::locate::Locator;
 use crate::output::Output;
 use crate::place::Place;
 use crate::report::{Report, milliseconds};
@@ -25,7 +26,8 @@ pub fn walk(arguments: &Walk) -> Result<String> {
         Place::Triangle { triangle, weights: [1.0, 0.0, 0.0] }.check(soup)?;
     }
     let (surface, build_ms) = build(&input, arguments.mesh.weld, arguments.mesh.threads())?;
-    let from = arguments.from.on(soup, &surface)?;
+    let locator = Locator::new(soup, &surface);
+    let from = locator.point(&arguments.from)?;
     let face = arguments.triangle.map(|triangle| surface.require_face(soup, triangle)).transpose()?;
     let start = Instant::now();
     let Straightest { path, direction, is_at_boundary } =
@@ -37,6 +39,7 @@ pub fn walk(arguments: &Walk) -> Result<String> {
     let mut report = Report::default();
     report.push_surface(surface.report());
     input.tell(&mut report);
+    locator.tell(&mut report);
     if let Some(end) = path.points.last() {
         report.push("end", json!(end.position.to_array()));
         report.push("place", Place::from(InputPlace::of(end.location, end.face, soup, &surface)).to_string());

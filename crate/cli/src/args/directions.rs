@@ -16,7 +16,7 @@ pub struct LogMap {
     pub mesh: Mesh,
     #[command(flatten)]
     pub bridging: Bridging,
-    /// The source: a vertex V, or a place F:b0,b1,b2 in a triangle
+    /// The source: a vertex V, or a place F:b0,b1,b2 in a triangle or nearest to coordinates @X,Y,Z
     #[arg(long, value_name = "P")]
     pub source: Place,
     /// The direction there that u is along, of any length; its part along the surface counts. Without it the x axis, or the y axis where
@@ -40,7 +40,7 @@ pub struct Transport {
     pub mesh: Mesh,
     #[command(flatten)]
     pub bridging: Bridging,
-    /// A vector at a vertex V or a place F:b0,b1,b2 in a triangle, of which the part along the surface counts; may be repeated, and each
+    /// A vector at a vertex V or a place F:b0,b1,b2 in a triangle or nearest to coordinates @X,Y,Z, of which the part along the surface counts; may be repeated, and each
     /// vertex then takes that of the nearest
     #[arg(long = "vector", value_name = "P:X,Y,Z", required = true, allow_hyphen_values = true)]
     pub vectors: Vec<PlacedVector>,

@@ -36,7 +36,7 @@ pub struct Solving {
 pub struct Question {
     #[command(flatten)]
     pub mesh: Mesh,
-    /// Source: a vertex V or a place F:b0,b1,b2 in a triangle or T:b0,b1,b2,b3 in a tetrahedron, with @D if it starts from a distance D; may be repeated
+    /// Source: a vertex V or a place F:b0,b1,b2 in a triangle, T:b0,b1,b2,b3 in a tetrahedron or nearest to coordinates @X,Y,Z, with @D if it starts from a distance D; may be repeated
     #[arg(long = "source", value_name = "S", required_unless_present = "open")]
     pub sources: Vec<SourcePlace>,
     /// Sources: all vertices along the shortest path on edges through these ones, V,V[,V...]; may be repeated

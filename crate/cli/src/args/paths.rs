@@ -17,7 +17,7 @@ use crate::place::Place;
 pub struct Path {
     #[command(flatten)]
     pub mesh: Mesh,
-    /// Where the path begins: a vertex V, or a place F:b0,b1,b2 in a triangle or T:b0,b1,b2,b3 in a tetrahedron
+    /// Where the path begins: a vertex V, or a place F:b0,b1,b2 in a triangle, T:b0,b1,b2,b3 in a tetrahedron or nearest to coordinates @X,Y,Z
     #[arg(long, value_name = "S")]
     pub from: Place,
     /// Where it goes on its way; may be repeated, in order
@@ -52,7 +52,7 @@ pub struct Loop {
     pub mesh: Mesh,
     #[command(flatten)]
     pub bridging: Bridging,
-    /// Where the loop goes: a vertex V, or a place F:b0,b1,b2 in a triangle; may be repeated, in order. Through one or two it goes around
+    /// Where the loop goes: a vertex V, or a place F:b0,b1,b2 in a triangle or nearest to coordinates @X,Y,Z; may be repeated, in order. Through one or two it goes around
     /// a handle or a hole
     #[arg(long, value_name = "P", group = "around")]
     pub through: Vec<Place>,
@@ -74,7 +74,7 @@ pub struct Loop {
 pub struct Walk {
     #[command(flatten)]
     pub mesh: Mesh,
-    /// Where it begins: a vertex V, or a place F:b0,b1,b2 in a triangle
+    /// Where it begins: a vertex V, or a place F:b0,b1,b2 in a triangle or nearest to coordinates @X,Y,Z
     #[arg(long, value_name = "P")]
     pub from: Place,
     /// The direction there, of any length; its part along the surface counts

@@ -42,7 +42,7 @@ pub struct Mean {
     pub mesh: Mesh,
     #[command(flatten)]
     pub bridging: Bridging,
-    /// A vertex V or a place F:b0,b1,b2 in a triangle, with @W if it counts for W instead of 1; may be repeated
+    /// A vertex V or a place F:b0,b1,b2 in a triangle or nearest to coordinates @X,Y,Z, with @W if it counts for W instead of 1; may be repeated
     #[arg(long = "source", value_name = "P[@W]", required = true)]
     pub sources: Vec<WeightedPlace>,
 }
@@ -54,7 +54,7 @@ pub struct Cells {
     pub mesh: Mesh,
     #[command(flatten)]
     pub bridging: Bridging,
-    /// The source of a cell: a vertex V or a place F:b0,b1,b2 in a triangle, with @D if it starts from a distance D; may be repeated
+    /// The source of a cell: a vertex V or a place F:b0,b1,b2 in a triangle or nearest to coordinates @X,Y,Z, with @D if it starts from a distance D; may be repeated
     #[arg(long = "source", value_name = "S", required = true)]
     pub sources: Vec<SourcePlace>,
     /// Write the number of the nearest source, as they are given, and the distance of each vertex to a .csv file

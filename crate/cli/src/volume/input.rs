@@ -78,6 +78,10 @@ pub fn volume_options(
 pub fn point(place: Place, soup: &TetSoup, mesh: &TetMesh) -> Result<TetPoint> {
     match place {
         Place::Vertex(number) => Ok(vertex(number, soup, mesh)?.into()),
+        Place::Coordinates(position) => {
+            let point = mesh.locate(position);
+            point.with_context(|| format!("{place} is outside of all tetrahedra; give coordinates inside of one"))
+        }
         Place::Triangle { .. } => bail!("three weights are for triangles; a place in a tetrahedron has four"),
         Place::Tetrahedron { tetrahedron, weights } => {
             let tetrahedra = soup.tetrahedra.len();

@@ -3,6 +3,7 @@
 mod animations;
 mod cells;
 mod clouds;
+mod coordinates;
 mod curves;
 mod directions;
 mod exact;
