@@ -10,6 +10,7 @@ use serde_json::json;
 
 use crate::args::Cells;
 use crate::input::Input;
+use crate::lists::with_listed;
 use crate::locate::Locator;
 use crate::output::{CurveFormat, Output};
 use crate::question::joined;
@@ -21,12 +22,13 @@ pub fn cells(arguments: &Cells) -> Result<String> {
     volume::Input::refuse(&arguments.mesh, "cells are of a surface, not of the inside")?;
     let output = arguments.output.as_deref().map(|path| Output::of_vertices(path, "cells")).transpose()?;
     let borders = arguments.borders.as_deref().map(Output::borders).transpose()?;
+    let places = with_listed(&arguments.sources, &arguments.source_files, "source")?;
     let input = Input::of(&arguments.mesh)?;
     let soup = &input.model.soup;
-    arguments.sources.iter().try_for_each(|source| source.place.check(soup))?;
+    places.iter().try_for_each(|source| source.place.check(soup))?;
     let (mut solver, mut report, build_ms) = joined(&input, &arguments.mesh, &arguments.bridging)?;
     let locator = Locator::new(soup, solver.surface());
-    let sources = arguments.sources.iter().map(|source| locator.source(source)).collect::<Result<Vec<_>>>()?;
+    let sources = places.iter().map(|source| locator.source(source)).collect::<Result<Vec<_>>>()?;
     locator.tell(&mut report);
     let start = Instant::now();
     let geometry = solver.exact_geometry();

@@ -1,12 +1,11 @@
 //! Curves that distances are from, as they are written on the command line and in files.
 
-use std::fs;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::Arc;
 use std::time::Instant;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use clap::Args;
 use heatwalk::exact::ExactGeometry;
 use heatwalk::{
@@ -15,6 +14,7 @@ use heatwalk::{
 };
 use serde_json::Value;
 
+use crate::lists::listed;
 use crate::locate::Locator;
 use crate::options::{choice, chosen};
 use crate::place::Place as Written;
@@ -29,10 +29,10 @@ pub struct Curves {
     /// Source: a curve along shortest paths from place to place, each as for --source, apart by blanks; or boundary, which is all boundaries, of tetrahedra
     /// all around.
     /// Distances are from all of its points. May be repeated
-    #[arg(long = "curve", value_name = "P P...|boundary", conflicts_with_all = ["sources", "lines"], group = "open")]
+    #[arg(long = "curve", value_name = "P P...|boundary", conflicts_with_all = ["sources", "source_files", "lines"], group = "open")]
     pub curves: Vec<Course>,
     /// Sources: the curves of a text file, one a line; one that ends where it begins is closed. May be repeated
-    #[arg(long = "curve-file", value_name = "FILE", conflicts_with_all = ["sources", "lines"], group = "open")]
+    #[arg(long = "curve-file", value_name = "FILE", conflicts_with_all = ["sources", "source_files", "lines"], group = "open")]
     pub curve_files: Vec<PathBuf>,
     /// Give distances on the left of curves a minus, so that what is inside of a curve that runs counterclockwise, seen from outside, has
     /// negative ones
@@ -132,16 +132,9 @@ impl Curves {
             curves.push(course.on(locator, solver, closed).with_context(|| format!("curve {number}"))?);
         }
         for file in &self.curve_files {
-            let text = fs::read_to_string(file).with_context(|| format!("{}", file.display()))?;
-            let lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
-            let before = curves.len();
-            for (index, line) in lines {
-                let course = line.parse::<Course>().map_err(anyhow::Error::msg);
-                let curve = course.and_then(|course| course.on(locator, solver, closed));
-                curves.push(curve.with_context(|| format!("{}, line {}", file.display(), index + 1))?);
-            }
-            if curves.len() == before {
-                bail!("{}: there is no curve; write the places of each on a line", file.display());
+            for (number, course) in listed::<Course>(file, "curve")?.iter().enumerate() {
+                let curve = course.on(locator, solver, closed);
+                curves.push(curve.with_context(|| format!("{}, curve {number}", file.display()))?);
             }
         }
         let geometry = Arc::clone(solver.exact_geometry());

@@ -1,7 +1,6 @@
 //! What the ground costs, and where nobody may walk, from the command line.
 
 use std::collections::HashMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::Arc;
@@ -11,8 +10,9 @@ use clap::{Args, ValueEnum};
 use glam::DVec3;
 use heatwalk::{Costs, DistanceSolver, FaceData, InputTriangle, InputVertex, Relief, Soup, Surface, Up, Walls};
 use heatwalk_model::Model;
-use heatwalk_model::io::text;
 use heatwalk_volume::{TetMesh, TetSoup};
+
+use crate::lists::statements;
 
 /// Ground of different difficulty.
 #[derive(Args)]
@@ -129,14 +129,11 @@ fn axis(up: Up) -> DVec3 {
 
 /// The rows of a CSV file, as numbers, with the lines that they are on. A first row of words is a heading.
 fn rows(path: &Path) -> Result<Vec<(usize, Vec<f64>)>> {
-    let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
-    let text = text::decoded(&bytes).with_context(|| path.display().to_string())?;
-    let text = String::from_utf8_lossy(text);
-    let rows = text::lines(&text).filter(|(_, row)| !row.trim().is_empty()).filter_map(|(line, row)| {
+    let rows = statements(path)?.into_iter().enumerate().filter_map(|(index, (line, row))| {
         let numbers: Result<Vec<f64>, _> = row.split(',').map(|cell| cell.trim().parse()).collect();
         match numbers {
             Ok(numbers) => Some(Ok((line, numbers))),
-            Err(_) if line == 1 => None,
+            Err(_) if index == 0 => None,
             Err(_) => Some(Err(anyhow!("{}, line {line}: {row:?} is no row of numbers", path.display()))),
         }
     });

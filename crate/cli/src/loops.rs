@@ -37,7 +37,7 @@ pub fn loops(arguments: &Loop) -> Result<String> {
     let loops_ms = milliseconds(start);
     if let Some(output) = output {
         let lines: Vec<_> = loops.iter().map(Path::positions).collect();
-        output.write_several(&lines, arguments.axis.up)?;
+        output.write_several(&lines, "loop", arguments.axis.up)?;
     }
     if arguments.handles {
         if loops.is_empty() {

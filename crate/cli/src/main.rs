@@ -11,6 +11,7 @@ mod fill;
 mod ground;
 mod input;
 mod isolines;
+mod lists;
 mod locate;
 mod log_map;
 mod loops;

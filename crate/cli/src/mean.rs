@@ -8,6 +8,7 @@ use serde_json::json;
 
 use crate::args::Mean;
 use crate::input::Input;
+use crate::lists::with_listed;
 use crate::locate::Locator;
 use crate::place::Place;
 use crate::question::joined;
@@ -17,12 +18,13 @@ use crate::volume;
 /// Finds the mean of weighted places.
 pub fn mean(arguments: &Mean) -> Result<String> {
     volume::Input::refuse(&arguments.mesh, "a mean is on a surface, not inside")?;
+    let places = with_listed(&arguments.sources, &arguments.source_files, "place")?;
     let input = Input::of(&arguments.mesh)?;
     let soup = &input.model.soup;
-    arguments.sources.iter().try_for_each(|source| source.place.check(soup))?;
+    places.iter().try_for_each(|source| source.place.check(soup))?;
     let (mut solver, mut report, build_ms) = joined(&input, &arguments.mesh, &arguments.bridging)?;
     let locator = Locator::new(soup, solver.surface());
-    let weighted = arguments.sources.iter().map(|at| Ok((locator.point(&at.place)?, at.weight)));
+    let weighted = places.iter().map(|at| Ok((locator.point(&at.place)?, at.weight)));
     let weighted = weighted.collect::<Result<Vec<_>>>()?;
     locator.tell(&mut report);
     let start = Instant::now();

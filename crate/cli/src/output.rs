@@ -146,8 +146,8 @@ impl Output<PathFormat> {
         })
     }
 
-    /// Any number of polylines; in a table each row has the number of its one.
-    pub fn write_several(&self, lines: &[Vec<DVec3>], up: Up) -> Result<()> {
+    /// Any number of polylines; in a table each row has the number of its one, in a column called `what` one is.
+    pub fn write_several(&self, lines: &[Vec<DVec3>], what: &str, up: Up) -> Result<()> {
         if let [only] = lines {
             return self.write(only.iter().copied(), up);
         }
@@ -156,7 +156,7 @@ impl Output<PathFormat> {
         self.save(&match self.format {
             PathFormat::Obj => write::polylines_obj(&lines),
             PathFormat::Csv => {
-                let mut text = String::from("loop,x,y,z\n");
+                let mut text = format!("{what},x,y,z\n");
                 for (number, line) in lines.iter().enumerate() {
                     for point in line {
                         let _ = writeln!(text, "{number},{:.16e},{:.16e},{:.16e}", point.x, point.y, point.z);

@@ -5,17 +5,18 @@ use std::time::Instant;
 use anyhow::{Context, Result};
 use heatwalk::exact::shortest_path;
 use heatwalk::{
-    Bezier, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, PathKind, Place, Surface, SurfacePoint,
+    Bezier, Choice, DistanceOptions, DistanceSolver, HeatSolver, Method, PathKind, Place as On, Surface, SurfacePoint,
     bezier, go_on,
 };
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::args::Path;
 use crate::input::Input;
 use crate::locate::Locator;
 use crate::output::Output;
+use crate::place::Place;
 use crate::question::walkable;
-use crate::report::milliseconds;
+use crate::report::{Report, milliseconds, object};
 use crate::timing::prepare;
 use crate::volume;
 
@@ -42,6 +43,20 @@ impl Found {
             method: next.method,
         }
     }
+
+    /// What is to be told; `cost`: of the path, where the ground has costs.
+    fn facts(&self, cost: Option<f64>) -> Vec<(&'static str, Value)> {
+        let points: Vec<Value> = self.path.positions().iter().map(|point| json!(point.to_array())).collect();
+        let mut facts = vec![
+            ("method", json!(self.method.name())),
+            ("distance", json!(self.distance)),
+            ("distance_interpolated", json!(self.is_interpolated)),
+            ("length", json!(self.path.length())),
+        ];
+        facts.extend(cost.map(|cost| ("cost", json!(cost))));
+        facts.push(("points", points.into()));
+        facts
+    }
 }
 
 pub fn path(arguments: &Path) -> Result<String> {
@@ -52,45 +67,60 @@ pub fn path(arguments: &Path) -> Result<String> {
     let output = arguments.output.as_deref().map(Output::path).transpose()?;
     let input = Input::of(&arguments.mesh)?;
     let soup = &input.model.soup;
-    arguments.places().try_for_each(|place| place.check(soup))?;
+    arguments.routes().flatten().try_for_each(|place| place.check(soup))?;
     let (solver, mut report, build_ms) = walkable(&input, &arguments.mesh, &arguments.solving, arguments.axis.up)?;
     let locator = Locator::new(soup, solver.surface());
-    let places = arguments.places().map(|place| locator.point(place)).collect::<Result<Vec<_>>>()?;
+    let on_surface = |route: Vec<Place>| route.iter().map(|place| locator.point(place)).collect();
+    let routes = arguments.routes().map(on_surface).collect::<Result<Vec<Vec<SurfacePoint>>>>()?;
     locator.tell(&mut report);
     let mut prepared = prepare((solver, build_ms), &options)?;
-    let found = if arguments.bezier {
-        controlled(&mut prepared.solver, &places)?
-    } else {
-        let legs = places.windows(2).map(|ends| match arguments.exact {
-            true => exactly(&mut prepared.solver, ends[0], ends[1]),
-            false => by_descent(&mut prepared.solver, ends[0], ends[1], (arguments, &options)),
-        });
-        let legs = legs.collect::<Result<Vec<Found>>>()?;
-        let surface = prepared.solver.surface();
-        let found = legs.into_iter().reduce(|before, leg| before.followed_by(surface, &leg));
-        found.context("a path has two ends")?
-    };
+    let found = routes.iter().map(|places| along(&mut prepared.solver, places, (arguments, &options)));
+    let found = found.collect::<Result<Vec<Found>>>()?;
     if let Some(output) = output {
-        output.write(found.path.positions().into_iter(), arguments.axis.up)?;
+        let lines: Vec<_> = found.iter().map(|found| found.path.positions()).collect();
+        output.write_several(&lines, "path", arguments.axis.up)?;
     }
-    let points: Vec<_> = found.path.positions().iter().map(|point| json!(point.to_array())).collect();
-    report.push("method", found.method.name());
     report.push("factor_nonzeros", prepared.solver.heat().map_or(0, HeatSolver::factor_nonzeros));
-    report.push("distance", found.distance);
-    report.push("distance_interpolated", found.is_interpolated);
-    report.push("length", found.path.length());
-    if prepared.solver.costs().is_some() {
-        report.push("cost", prepared.solver.cost_of(&found.path));
-    }
-    report.push("points", points);
+    let facts = |found: &Found| found.facts(prepared.solver.costs().map(|_| prepared.solver.cost_of(&found.path)));
+    push_paths(&mut report, &arguments.to, found.iter().map(facts).collect());
+    let sum = |time: fn(&Found) -> f64| found.iter().map(time).sum::<f64>();
     report.push(
         "timings_ms",
         json!({
             "read": input.read_ms, "build": prepared.build_ms, "precompute": prepared.precompute_ms,
-            "solve": found.solve_ms, "path": found.path_ms
+            "solve": sum(|found| found.solve_ms), "path": sum(|found| found.path_ms)
         }),
     );
     Ok(report.render(arguments.mesh.json))
+}
+
+/// What is told of the path to each of these places: of several in a list.
+pub fn push_paths(report: &mut Report, to: &[Place], mut facts: Vec<Vec<(&'static str, Value)>>) {
+    if facts.len() == 1 {
+        report.extend(facts.remove(0));
+        return;
+    }
+    let paths = to.iter().zip(facts).map(|(to, facts)| object([("to", json!(to.to_string()))].into_iter().chain(facts)));
+    report.push("paths", paths.collect::<Vec<_>>());
+}
+
+/// The path through these places.
+fn along(
+    solver: &mut DistanceSolver,
+    places: &[SurfacePoint],
+    (arguments, options): (&Path, &DistanceOptions),
+) -> Result<Found> {
+    if arguments.bezier {
+        return controlled(solver, places);
+    }
+    let legs = places.windows(2).map(|ends| match arguments.exact {
+        true => exactly(solver, ends[0], ends[1]),
+        false => by_descent(solver, ends[0], ends[1], (arguments, options)),
+    });
+    let legs = legs.collect::<Result<Vec<Found>>>()?;
+    let surface = solver.surface();
+    let found = legs.into_iter().reduce(|before, leg| before.followed_by(surface, &leg));
+    found.context("a path has two ends")
 }
 
 fn by_descent(
@@ -114,7 +144,7 @@ fn by_descent(
     }
     let interpolated = answer.distance.at(solver.surface(), from)?;
     // In the face of the source, and near it, values of corners tell nothing of what is between; the path does.
-    let is_at_vertex = matches!(from.place(), Place::Vertex(_));
+    let is_at_vertex = matches!(from.place(), On::Vertex(_));
     let distance = if is_at_vertex { interpolated } else { interpolated.min(length) };
     let is_interpolated = !is_at_vertex && distance < length;
     Ok(Found { path, distance, is_interpolated, method: answer.method, solve_ms, path_ms: milliseconds(start) })

@@ -21,12 +21,13 @@ pub struct Posed {
 
 /// Reads, checks and prepares. `up`: the axis of the file that slopes are measured against.
 pub fn pose(question: &Question, up: Up, options: &DistanceOptions) -> Result<Posed> {
+    let places = question.places()?;
     let input = Input::of(&question.mesh)?;
-    question.sources.iter().try_for_each(|source| source.place.check(&input.model.soup))?;
+    places.iter().try_for_each(|source| source.place.check(&input.model.soup))?;
     question.lines.iter().try_for_each(|line| line.check(&input.model.soup))?;
     let (solver, mut report, build_ms) = walkable(&input, &question.mesh, &question.solving, up)?;
     let locator = Locator::new(&input.model.soup, solver.surface());
-    let mut sources = question.sources.iter().map(|source| locator.source(source)).collect::<Result<Vec<_>>>()?;
+    let mut sources = places.iter().map(|source| locator.source(source)).collect::<Result<Vec<_>>>()?;
     locator.tell(&mut report);
     for line in &question.lines {
         sources.extend(line.on(solver.surface(), question.closed)?);

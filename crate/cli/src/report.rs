@@ -169,6 +169,12 @@ impl Report {
                 }),
                 // Those have been told on standard error.
                 Value::Array(_) if name == "warnings" => Ok(()),
+                Value::Array(paths) if name == "paths" && paths.len() <= FEW => {
+                    paths.iter().enumerate().try_for_each(|(index, path)| {
+                        let (label, to) = (format!("path {index}"), path["to"].as_str().unwrap_or_default());
+                        writeln!(text, "{label:<22} to {to}, distance {}, length {}", path["distance"], path["length"])
+                    })
+                }
                 Value::Array(loops) if name == "loops" => loops.iter().enumerate().try_for_each(|(index, of_loop)| {
                     let label = format!("loop {index}");
                     writeln!(text, "{label:<22} length {}", of_loop["length"])

@@ -11,6 +11,7 @@ use super::values::{direction, positive};
 use super::{Bridging, Mesh, UpAxis};
 use crate::curve::Curves;
 use crate::ground::Ground;
+use crate::lists::with_listed;
 use crate::method::{MethodOptions, Methods};
 use crate::options::{Linear, Options, choice, chosen};
 use crate::place::{Line, SourcePlace};
@@ -37,8 +38,11 @@ pub struct Question {
     #[command(flatten)]
     pub mesh: Mesh,
     /// Source: a vertex V or a place F:b0,b1,b2 in a triangle, T:b0,b1,b2,b3 in a tetrahedron or nearest to coordinates @X,Y,Z, with @D if it starts from a distance D; may be repeated
-    #[arg(long = "source", value_name = "S", required_unless_present = "open")]
+    #[arg(long = "source", value_name = "S", required_unless_present_any = ["open", "source_files"])]
     pub sources: Vec<SourcePlace>,
+    /// Sources of a text file, one a line as for --source; blank lines do not count, nor does what follows a #. May be repeated
+    #[arg(long = "sources", value_name = "FILE")]
+    pub source_files: Vec<PathBuf>,
     /// Sources: all vertices along the shortest path on edges through these ones, V,V[,V...]; may be repeated
     #[arg(long = "line", value_name = "V,V...", group = "open")]
     pub lines: Vec<Line>,
@@ -163,6 +167,11 @@ impl Question {
         let options = DistanceOptions { max_distance: self.max_distance.unwrap_or(f64::INFINITY), ..options };
         self.curves.check(&options)?;
         Ok(options)
+    }
+
+    /// All places that are sources by themselves.
+    pub fn places(&self) -> Result<Vec<SourcePlace>> {
+        with_listed(&self.sources, &self.source_files, "source")
     }
 
     /// The first option of the heat method that is given.

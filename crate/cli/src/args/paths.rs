@@ -23,9 +23,9 @@ pub struct Path {
     /// Where it goes on its way; may be repeated, in order
     #[arg(long, value_name = "S")]
     pub via: Vec<Place>,
-    /// Where it ends
-    #[arg(long, value_name = "S")]
-    pub to: Place,
+    /// Where it ends; may be repeated, for a path to each
+    #[arg(long, value_name = "S", required = true)]
+    pub to: Vec<Place>,
     #[command(flatten)]
     pub solving: Solving,
     /// Straighten the path until it is locally shortest
@@ -37,7 +37,7 @@ pub struct Path {
     /// The Bézier curve that --from, --via and --to control, by exact shortest paths, which is only at its ends on them
     #[arg(long, requires = "via", conflicts_with_all = ["straighten", "method", "exact"])]
     pub bezier: bool,
-    /// Write the points to an .obj or .csv file
+    /// Write the points to an .obj or .csv file; those of several paths with its number in each row
     #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
@@ -94,9 +94,9 @@ pub struct Walk {
 }
 
 impl Path {
-    /// Where it goes, in order.
-    pub fn places(&self) -> impl Iterator<Item = &Place> {
-        [&self.from].into_iter().chain(&self.via).chain([&self.to])
+    /// Where each path goes, in order.
+    pub fn routes(&self) -> impl Iterator<Item = Vec<Place>> {
+        self.to.iter().map(|&to| [&[self.from], self.via.as_slice(), &[to]].concat())
     }
 
     /// What is asked of the solver.

@@ -43,8 +43,11 @@ pub struct Mean {
     #[command(flatten)]
     pub bridging: Bridging,
     /// A vertex V or a place F:b0,b1,b2 in a triangle or nearest to coordinates @X,Y,Z, with @W if it counts for W instead of 1; may be repeated
-    #[arg(long = "source", value_name = "P[@W]", required = true)]
+    #[arg(long = "source", value_name = "P[@W]", required_unless_present = "source_files")]
     pub sources: Vec<WeightedPlace>,
+    /// Sources of a text file, one a line as for --source; blank lines do not count, nor does what follows a #. May be repeated
+    #[arg(long = "sources", value_name = "FILE")]
+    pub source_files: Vec<PathBuf>,
 }
 
 #[derive(Args)]
@@ -55,8 +58,11 @@ pub struct Cells {
     #[command(flatten)]
     pub bridging: Bridging,
     /// The source of a cell: a vertex V or a place F:b0,b1,b2 in a triangle or nearest to coordinates @X,Y,Z, with @D if it starts from a distance D; may be repeated
-    #[arg(long = "source", value_name = "S", required = true)]
+    #[arg(long = "source", value_name = "S", required_unless_present = "source_files")]
     pub sources: Vec<SourcePlace>,
+    /// Sources of a text file, one a line as for --source; blank lines do not count, nor does what follows a #. May be repeated
+    #[arg(long = "sources", value_name = "FILE")]
+    pub source_files: Vec<PathBuf>,
     /// Write the number of the nearest source, as they are given, and the distance of each vertex to a .csv file
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,

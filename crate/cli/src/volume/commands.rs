@@ -4,14 +4,17 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::{Result, bail};
+use glam::DVec3;
 use heatwalk::MultiSource;
 use heatwalk::go_on;
-use heatwalk_volume::{MeshReport, TetMesh, VolumeOptions, VolumeSolver};
-use serde_json::json;
+use heatwalk_volume::{MeshReport, TetMesh, TetPoint, VolumeOptions, VolumeSolver};
+use serde_json::{Value, json};
 
 use super::input::{Input, point, refuse, refuse_bridging, volume_options};
 use crate::args::{Info, Path};
 use crate::output::Output;
+use crate::path::push_paths;
+use crate::place::Place;
 use crate::report::{Report, milliseconds, push_fields};
 
 pub fn info(arguments: &Info, input: &Input) -> Result<String> {
@@ -46,46 +49,71 @@ pub fn path(arguments: &Path, input: &Input) -> Result<String> {
     }
     let output = arguments.output.as_deref().map(Output::path).transpose()?;
     let (mesh, build_ms) = build(input)?;
-    let places = arguments.places().map(|&place| point(place, &input.soup, &mesh)).collect::<Result<Vec<_>>>()?;
+    let inside = |route: Vec<Place>| route.into_iter().map(|place| point(place, &input.soup, &mesh)).collect();
+    let routes = arguments.routes().map(inside).collect::<Result<Vec<Vec<TetPoint>>>>()?;
     let mut said = Report::default();
     push_mesh(&mut said, mesh.report());
     let costs = solving.ground.inside(&input.soup, &mesh)?;
     let (mut solver, precompute_ms) = prepare(&mesh, costs.as_deref(), &options)?;
-    let (mut points, mut method) = (Vec::new(), "");
-    let [mut distance, mut length, mut cost, mut solve_ms, mut path_ms] = [0.0; 5];
-    for ends in places.windows(2) {
-        let start = Instant::now();
-        let answer = solver.distance(&ends[1..], &options)?;
-        solve_ms += milliseconds(start);
-        let start = Instant::now();
-        let leg = solver.path(&answer, ends[0])?;
-        path_ms += milliseconds(start);
-        method = answer.method.name();
-        distance += solver.at(&answer, ends[0])?;
-        length += leg.length;
-        cost += leg.cost;
-        points.extend(leg.points);
-    }
-    // Each leg begins where the one before ends.
-    points.dedup();
+    let found = routes.iter().map(|places| Found::along(&mut solver, places, &options)).collect::<Result<Vec<_>>>()?;
     if let Some(output) = output {
-        output.write(points.iter().copied(), arguments.axis.up)?;
+        let lines: Vec<_> = found.iter().map(|found| found.points.clone()).collect();
+        output.write_several(&lines, "path", arguments.axis.up)?;
     }
-    said.push("method", method);
     said.push("factor_nonzeros", solver.factor_nonzeros());
-    said.push("distance", distance);
-    said.push("length", length);
-    if costs.is_some() {
-        said.push("cost", cost);
-    }
-    said.push("points", points.iter().map(|point| json!(point.to_array())).collect::<Vec<_>>());
+    push_paths(&mut said, &arguments.to, found.iter().map(|found| found.facts(costs.is_some())).collect());
+    let sum = |time: fn(&Found) -> f64| found.iter().map(time).sum::<f64>();
     said.push(
         "timings_ms",
         json!({
-            "read": input.read_ms, "build": build_ms, "precompute": precompute_ms, "solve": solve_ms, "path": path_ms
+            "read": input.read_ms, "build": build_ms, "precompute": precompute_ms,
+            "solve": sum(|found| found.solve_ms), "path": sum(|found| found.path_ms)
         }),
     );
     Ok(said.render(arguments.mesh.json))
+}
+
+/// A path through places, and what it took in milliseconds.
+#[derive(Default)]
+struct Found {
+    points: Vec<DVec3>,
+    method: &'static str,
+    distance: f64,
+    length: f64,
+    cost: f64,
+    solve_ms: f64,
+    path_ms: f64,
+}
+
+impl Found {
+    fn along(solver: &mut VolumeSolver, places: &[TetPoint], options: &VolumeOptions) -> Result<Self> {
+        let mut found = Self::default();
+        for ends in places.windows(2) {
+            let start = Instant::now();
+            let answer = solver.distance(&ends[1..], options)?;
+            found.solve_ms += milliseconds(start);
+            let start = Instant::now();
+            let leg = solver.path(&answer, ends[0])?;
+            found.path_ms += milliseconds(start);
+            found.method = answer.method.name();
+            found.distance += solver.at(&answer, ends[0])?;
+            found.length += leg.length;
+            found.cost += leg.cost;
+            found.points.extend(leg.points);
+        }
+        // Each leg begins where the one before ends.
+        found.points.dedup();
+        Ok(found)
+    }
+
+    /// What is to be told; `has_cost`: whether the ground has costs.
+    fn facts(&self, has_cost: bool) -> Vec<(&'static str, Value)> {
+        let mut facts =
+            vec![("method", json!(self.method)), ("distance", json!(self.distance)), ("length", json!(self.length))];
+        facts.extend(has_cost.then(|| ("cost", json!(self.cost))));
+        facts.push(("points", self.points.iter().map(|point| json!(point.to_array())).collect()));
+        facts
+    }
 }
 
 pub fn build(input: &Input) -> Result<(Arc<TetMesh>, f64)> {

@@ -25,7 +25,7 @@ pub fn distance(arguments: &Distance, input: &Input) -> Result<String> {
     let question = &arguments.question;
     let (mesh, build_ms) = build(input)?;
     let mut sources =
-        question.sources.iter().map(|place| source(place, &input.soup, &mesh)).collect::<Result<Vec<_>>>()?;
+        question.places()?.iter().map(|place| source(place, &input.soup, &mesh)).collect::<Result<Vec<_>>>()?;
     for line in &question.lines {
         sources.extend(along(line, &input.soup, &mesh, question.closed)?);
     }

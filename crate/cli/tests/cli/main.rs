@@ -12,6 +12,7 @@ mod fill;
 mod ground;
 mod isolines;
 mod joining;
+mod lists;
 mod loops;
 mod method;
 mod options;
