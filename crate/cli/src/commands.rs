@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use heatwalk::DistanceSolver;
 use serde_json::json;
 
@@ -16,6 +16,8 @@ use crate::isolines::isolines;
 use crate::log_map::log_map;
 use crate::loops::loops;
 use crate::mean::mean;
+use crate::output::is_standard;
+use crate::pairs::pairs;
 use crate::path::path;
 use crate::report::Report;
 use crate::sample::sample;
@@ -26,6 +28,18 @@ use crate::volume;
 use crate::walk::walk;
 
 pub fn run(command: &Command) -> Result<Answer> {
+    let standard = command.outputs().into_iter().flatten().filter(|path| is_standard(path)).count();
+    ensure!(standard < 2, "only one file can be written to standard output; give the other one a name");
+    let answer = answer(command)?;
+    Ok(match standard {
+        0 => answer,
+        // There is the file alone. Who wants to know more reads it from standard error.
+        _ if command.is_json() => Answer { aside: answer.text, text: String::new(), ..answer },
+        _ => Answer { text: String::new(), ..answer },
+    })
+}
+
+fn answer(command: &Command) -> Result<Answer> {
     match command {
         Command::Info(arguments) => info(arguments).map(Answer::from),
         Command::Distance(arguments) => distance(arguments).map(Answer::from),
@@ -39,6 +53,7 @@ pub fn run(command: &Command) -> Result<Answer> {
         Command::Walk(arguments) => walk(arguments).map(Answer::from),
         Command::LogMap(arguments) => log_map(arguments).map(Answer::from),
         Command::Transport(arguments) => transport(arguments).map(Answer::from),
+        Command::Pairs(arguments) => pairs(arguments).map(Answer::from),
         Command::Table(arguments) => Ok(table(arguments)),
     }
 }

@@ -20,6 +20,7 @@ mod mean;
 mod method;
 mod options;
 mod output;
+mod pairs;
 mod path;
 mod place;
 mod question;
@@ -56,19 +57,12 @@ fn main() -> ExitCode {
         Ok(answer) => answer,
         Err(error) => return fail(&sentence::sentence(&error)),
     };
-    match print(&answer.text) {
-        Ok(()) => {}
-        // Whoever reads the pipe has seen enough.
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => {}
-        Err(error) => return fail(&format!("cannot write to standard output: {error}")),
+    if let Err(error) = output::print(answer.text.as_bytes()) {
+        return fail(&sentence::sentence(&error));
     }
+    // If standard error is gone, there is nobody to tell.
+    let _ = io::stderr().write_all(answer.aside.as_bytes());
     answer.failures.iter().fold(ExitCode::SUCCESS, |_, failure| fail(failure))
-}
-
-fn print(text: &str) -> io::Result<()> {
-    let mut stdout = io::stdout().lock();
-    stdout.write_all(text.as_bytes())?;
-    stdout.flush()
 }
 
 fn fail(message: &str) -> ExitCode {

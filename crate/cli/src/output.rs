@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
+use std::ops::ControlFlow;
 #[cfg(unix)]
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
@@ -16,6 +17,8 @@ use heatwalk_model::io::write;
 use heatwalk_volume::TetSoup;
 use heatwalk_volume::io::write as volume;
 use tempfile::{Builder, NamedTempFile};
+
+use crate::place::Pair;
 
 /// Columns of distances by their names, each a value an input vertex.
 pub type Columns = Vec<(String, Vec<f64>)>;
@@ -43,6 +46,10 @@ pub enum PathFormat {
 /// Places, one a row.
 #[derive(Clone, Copy)]
 pub struct PlacesCsv;
+
+/// Pairs of places with their distances.
+#[derive(Clone, Copy)]
+pub struct PairsCsv;
 
 /// Numbers of each vertex.
 #[derive(Clone, Copy)]
@@ -72,6 +79,9 @@ pub enum SheetFormat {
     Dxf,
     Pdf,
 }
+
+/// In place of a file: standard output.
+const STANDARD: &str = "-";
 
 /// Of `--each`, in columns.
 const OF_EACH: &str = "the distances of --each";
@@ -185,6 +195,21 @@ impl Output<PlacesCsv> {
     }
 }
 
+impl Output<PairsCsv> {
+    pub fn pairs(path: &Path) -> Result<Self> {
+        Self::by_extension(path, "distances of pairs", &[("csv", PairsCsv)])
+    }
+
+    pub fn write(&self, pairs: &[Pair], distances: &[f64]) -> Result<()> {
+        let mut text = String::from("from,to,distance\n");
+        for (Pair([from, to]), distance) in pairs.iter().zip(distances) {
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "{},{},{distance:.16e}", from.in_table(), to.in_table());
+        }
+        self.save(text.as_bytes())
+    }
+}
+
 impl Output<VerticesCsv> {
     /// `what`: what they are called.
     pub fn of_vertices(path: &Path, what: &str) -> Result<Self> {
@@ -266,6 +291,10 @@ impl Output<FillFormat> {
 impl<F: Copy> Output<F> {
     /// In the format, of these, that the extension of the file names.
     fn by_extension(path: &Path, what: &str, formats: &[(&str, F)]) -> Result<Self> {
+        if path == Path::new(STANDARD) {
+            let (_, format) = *formats.iter().find(|(known, _)| *known == "csv").unwrap_or(&formats[0]);
+            return Ok(Self { path: path.to_owned(), format });
+        }
         let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
         let Some(&(_, format)) = formats.iter().find(|&&(known, _)| known == extension) else {
             let mut known = formats.iter().map(|(known, _)| format!(".{known}")).collect::<Vec<_>>();
@@ -273,6 +302,9 @@ impl<F: Copy> Output<F> {
             let others = if known.is_empty() { String::new() } else { format!("{} or ", known.join(", ")) };
             bail!("{}: {what} are written as {others}{last}", path.display());
         };
+        if is_standard(path) {
+            return Ok(Self { path: path.to_owned(), format });
+        }
         check(path).with_context(|| format!("cannot write {}", path.display()))?;
         Ok(Self { path: path.to_owned(), format })
     }
@@ -283,7 +315,26 @@ impl<F: Copy> Output<F> {
     }
 
     pub fn save(&self, bytes: &[u8]) -> Result<()> {
+        if is_standard(&self.path) {
+            return print(bytes).map(drop);
+        }
         replace(&self.path, bytes).with_context(|| format!("cannot write {}", self.path.display()))
+    }
+}
+
+/// Whether a file is standard output: `-`, or `-.ply` of another format than the usual one.
+pub fn is_standard(path: &Path) -> bool {
+    let name = path.to_str().and_then(|name| name.strip_prefix(STANDARD));
+    name.is_some_and(|rest| rest.is_empty() || rest.starts_with('.') && !rest.contains('/'))
+}
+
+/// Writes to standard output, and tells whether to go on: not where whoever reads the pipe has seen enough, which is no error.
+pub fn print(bytes: &[u8]) -> Result<ControlFlow<()>> {
+    let mut stdout = io::stdout().lock();
+    match stdout.write_all(bytes).and_then(|()| stdout.flush()) {
+        Ok(()) => Ok(ControlFlow::Continue(())),
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(ControlFlow::Break(())),
+        Err(error) => bail!("cannot write to standard output: {error}"),
     }
 }
 

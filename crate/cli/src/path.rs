@@ -100,7 +100,8 @@ pub fn push_paths(report: &mut Report, to: &[Place], mut facts: Vec<Vec<(&'stati
         report.extend(facts.remove(0));
         return;
     }
-    let paths = to.iter().zip(facts).map(|(to, facts)| object([("to", json!(to.to_string()))].into_iter().chain(facts)));
+    let paths =
+        to.iter().zip(facts).map(|(to, facts)| object([("to", json!(to.to_string()))].into_iter().chain(facts)));
     report.push("paths", paths.collect::<Vec<_>>());
 }
 

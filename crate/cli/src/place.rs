@@ -40,6 +40,10 @@ pub struct WeightedPlace {
     pub weight: f64,
 }
 
+/// Two places, apart by blanks, or two vertices, apart by a comma.
+#[derive(Debug, Clone, Copy)]
+pub struct Pair(pub [Place; 2]);
+
 /// A vector at a place, `P:X,Y,Z`.
 #[derive(Debug, Clone, Copy)]
 pub struct PlacedVector {
@@ -139,6 +143,24 @@ impl FromStr for PlacedVector {
     }
 }
 
+impl FromStr for Pair {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let words: Vec<&str> = match text.split_once(',') {
+            Some((from, to)) if !text.contains([':', '@']) => vec![from.trim(), to.trim()],
+            _ => text.split_whitespace().collect(),
+        };
+        match words[..] {
+            [from, to] => Ok(Self([from.parse()?, to.parse()?])),
+            _ => {
+                Err("give two places apart by blanks, such as 12 5:0.2,0.3,0.5, or two vertices, such as 12,40"
+                    .to_owned())
+            }
+        }
+    }
+}
+
 /// A vector in space, of three numbers.
 pub fn vector(text: &str) -> Option<DVec3> {
     let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.parse().ok()).collect();
@@ -170,6 +192,14 @@ impl Place {
         match self {
             Self::Coordinates(_) => Ok(()),
             place => Ok(place.of_surface()?.check(soup)?),
+        }
+    }
+
+    /// As a cell of a table, where weights and coordinates are apart by commas.
+    pub fn in_table(&self) -> String {
+        match self {
+            Self::Vertex(vertex) => vertex.to_string(),
+            place => format!("\"{place}\""),
         }
     }
 

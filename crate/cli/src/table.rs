@@ -41,7 +41,7 @@ pub fn table(arguments: &Table) -> Answer {
         arguments.meshes.iter().map(|mesh| (name(mesh), measure(mesh, arguments))).collect();
     let failures = rows.iter().flat_map(|(_, measured)| sentences(measured)).collect();
     let text = if arguments.json { as_json(&rows) } else { as_markdown(&rows, arguments) };
-    Answer { text, failures }
+    Answer { text, failures, ..Answer::default() }
 }
 
 /// What went wrong with a mesh.

@@ -2,13 +2,14 @@
 
 mod directions;
 mod fields;
+mod many;
 mod paths;
 mod samples;
 mod values;
 mod volume;
 
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{self, PathBuf};
 use std::thread::available_parallelism;
 
 use clap::error::ErrorKind;
@@ -18,6 +19,7 @@ use heatwalk::{BridgeRule, UnitRule, Up, WeldRule};
 use crate::options::choice;
 pub use directions::{LogMap, Transport};
 pub use fields::{Distance, Isolines, Question, Solving, Table};
+pub use many::Pairs;
 pub use paths::{Loop, Path, Walk};
 pub use samples::{Cells, Mean, Sample};
 use values::links;
@@ -55,6 +57,8 @@ pub enum Command {
     Transport(Transport),
     /// What is nearest to each of several sources, and the borders between
     Cells(Cells),
+    /// Exact distances of pairs of places
+    Pairs(Pairs),
     /// Fill a closed surface with tetrahedra
     Fill(Fill),
     /// Time both linear solvers of the heat method on each mesh
@@ -104,6 +108,47 @@ pub struct Bridging {
     pub links: usize,
 }
 
+impl Command {
+    /// The files that it is told to write.
+    pub fn outputs(&self) -> [Option<&path::Path>; 2] {
+        let (first, second) = match self {
+            Self::Info(_) | Self::Mean(_) | Self::Table(_) => (None, None),
+            Self::Distance(command) => (command.output.as_deref(), None),
+            Self::Path(command) => (command.output.as_deref(), None),
+            Self::Loop(command) => (command.output.as_deref(), None),
+            Self::Isolines(command) => (command.output.as_deref(), None),
+            Self::Sample(command) => (command.output.as_deref(), None),
+            Self::Walk(command) => (command.output.as_deref(), None),
+            Self::LogMap(command) => (command.output.as_deref(), None),
+            Self::Transport(command) => (command.output.as_deref(), None),
+            Self::Cells(command) => (command.output.as_deref(), command.borders.as_deref()),
+            Self::Pairs(command) => (command.output.as_deref(), None),
+            Self::Fill(command) => (command.output.as_deref(), None),
+        };
+        [first, second]
+    }
+
+    /// Whether what it tells is an object.
+    pub fn is_json(&self) -> bool {
+        match self {
+            Self::Info(Info { mesh, .. })
+            | Self::Distance(Distance { question: Question { mesh, .. }, .. })
+            | Self::Path(Path { mesh, .. })
+            | Self::Loop(Loop { mesh, .. })
+            | Self::Isolines(Isolines { question: Question { mesh, .. }, .. })
+            | Self::Sample(Sample { mesh, .. })
+            | Self::Mean(Mean { mesh, .. })
+            | Self::Walk(Walk { mesh, .. })
+            | Self::LogMap(LogMap { mesh, .. })
+            | Self::Transport(Transport { mesh, .. })
+            | Self::Cells(Cells { mesh, .. })
+            | Self::Pairs(Pairs { mesh, .. })
+            | Self::Fill(Fill { mesh, .. }) => mesh.json,
+            Self::Table(table) => table.json,
+        }
+    }
+}
+
 impl Mesh {
     /// Threads to work on.
     pub fn threads(&self) -> NonZeroUsize {
@@ -131,7 +176,7 @@ pub struct Info {
 /// The first paragraph of clap's message, on one line; the rest is its help.
 pub fn in_one_sentence(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "give a command: info, distance, path, loop, isolines, sample, mean, walk, log-map, transport, cells, fill or table; heatwalk --help tells more".to_owned();
+        return "give a command: info, distance, path, loop, isolines, sample, mean, walk, log-map, transport, cells, pairs, fill or table; heatwalk --help tells more".to_owned();
     }
     let text = error.render().to_string();
     let paragraph = text.split("\n\n").next().unwrap_or_default();

@@ -23,10 +23,13 @@ fn sources_of_a_file_are_those_of_the_command_line() {
     let weighted = json(&folder, &["mean", "flat.ply", "--sources", "sources.txt"]);
     let same = ["--source", "12", "--source", "5:0.2,0.3,0.5@0.25", "--source", "@0.5,0,-0.5"];
     assert_eq!(weighted["place"], json(&folder, &[&["mean", "flat.ply"], &same[..]].concat())["place"]);
-    let inside = distances(&folder, &["shape:cube", "--sources", "vertex.txt"].map(|word| {
-        fs::write(folder.join("vertex.txt"), "0\n").unwrap();
-        word
-    }));
+    let inside = distances(
+        &folder,
+        &["shape:cube", "--sources", "vertex.txt"].map(|word| {
+            fs::write(folder.join("vertex.txt"), "0\n").unwrap();
+            word
+        }),
+    );
     assert_eq!(inside[0], 0.0);
 }
 

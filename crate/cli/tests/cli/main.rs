@@ -16,6 +16,7 @@ mod lists;
 mod loops;
 mod method;
 mod options;
+mod pairs;
 mod paths;
 mod samples;
 mod sources;

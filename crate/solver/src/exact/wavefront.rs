@@ -140,7 +140,12 @@ impl Wavefront {
     }
 
     pub(crate) fn restart_checked(&mut self, sources: Vec<Source>) {
-        self.targets = targets_at(&self.geometry, &[]);
+        self.restart_to(sources, &[]);
+    }
+
+    /// The same with targets.
+    pub(crate) fn restart_to(&mut self, sources: Vec<Source>, targets: &[Place]) {
+        self.targets = targets_at(&self.geometry, targets);
         self.ends.clear();
         self.lines = None;
         if self.is_refused() {

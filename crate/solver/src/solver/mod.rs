@@ -8,6 +8,7 @@ mod answer;
 mod ground;
 mod joined;
 mod options;
+mod pairs;
 mod paths;
 mod questions;
 mod search;
