@@ -9,14 +9,15 @@ use serde_json::json;
 use crate::answer::Answer;
 use crate::args::{Command, Info};
 use crate::cells::cells;
+use crate::destination::is_standard;
 use crate::distance::distance;
 use crate::fill::fill;
 use crate::input::Input;
 use crate::isolines::isolines;
 use crate::log_map::log_map;
 use crate::loops::loops;
+use crate::matrix::matrix;
 use crate::mean::mean;
-use crate::output::is_standard;
 use crate::pairs::pairs;
 use crate::path::path;
 use crate::report::Report;
@@ -54,6 +55,7 @@ fn answer(command: &Command) -> Result<Answer> {
         Command::LogMap(arguments) => log_map(arguments).map(Answer::from),
         Command::Transport(arguments) => transport(arguments).map(Answer::from),
         Command::Pairs(arguments) => pairs(arguments).map(Answer::from),
+        Command::Matrix(arguments) => matrix(arguments).map(Answer::from),
         Command::Table(arguments) => Ok(table(arguments)),
     }
 }

@@ -6,6 +6,7 @@ mod cells;
 mod commands;
 mod complaint;
 mod curve;
+mod destination;
 mod distance;
 mod fill;
 mod ground;
@@ -16,6 +17,7 @@ mod locate;
 mod log_map;
 mod loops;
 mod markdown;
+mod matrix;
 mod mean;
 mod method;
 mod options;
@@ -57,7 +59,7 @@ fn main() -> ExitCode {
         Ok(answer) => answer,
         Err(error) => return fail(&sentence::sentence(&error)),
     };
-    if let Err(error) = output::print(answer.text.as_bytes()) {
+    if let Err(error) = destination::print(answer.text.as_bytes()) {
         return fail(&sentence::sentence(&error));
     }
     // If standard error is gone, there is nobody to tell.

@@ -195,6 +195,14 @@ impl Place {
         }
     }
 
+    /// Its number, where it is a vertex.
+    pub fn vertex(&self) -> Option<usize> {
+        match *self {
+            Self::Vertex(vertex) => Some(vertex),
+            _ => None,
+        }
+    }
+
     /// As a cell of a table, where weights and coordinates are apart by commas.
     pub fn in_table(&self) -> String {
         match self {

@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 use std::sync::{Mutex, PoisonError};
 
-use heatwalk::{Answer, Choice, DistanceOptions, InputPlace, SurfacePoint, VertexId, surface, surface::memory};
+use heatwalk::{Choice, DistanceOptions, InputPlace, SurfacePoint, VertexId, row_source, surface, surface::memory};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -201,42 +201,30 @@ impl Mesh {
         let shape = [sources.len(), targets.len()];
         let numbers = run(py, progress, |progress| {
             let mut numbers = room::<T>(shape)?;
-            let (mut points, mut lines) = (Vec::new(), Vec::new());
-            for (source, line) in sources.iter().zip(numbers.chunks_mut(targets.len().max(1))) {
-                match self.reachable(*source)? {
-                    Some(point) => {
-                        points.push(point);
-                        lines.push(Mutex::new(line));
-                    }
-                    None => line.fill(number(f64::INFINITY)),
-                }
-            }
-            if points.is_empty() {
+            if numbers.is_empty() {
                 return Ok(numbers);
             }
+            let points = sources.iter().map(|&source| self.reachable(source)).collect::<Result<Vec<_>>>()?;
+            let lines: Vec<_> = numbers.chunks_mut(targets.len()).map(Mutex::new).collect();
             self.with_solver(|solver| {
-                let tell = |row: usize, answer: Answer| {
+                let tell = |row: usize, values: &[f64]| {
                     let mut line = lines[row].lock().unwrap_or_else(PoisonError::into_inner);
-                    for (entry, target) in line.iter_mut().zip(targets) {
-                        *entry = number(target.map_or(f64::INFINITY, |vertex| answer.distance.values[vertex]));
+                    for (entry, &value) in line.iter_mut().zip(values) {
+                        *entry = number(value);
                     }
                 };
-                Ok(solver.map_from_each(&points, options, *threads, tell, progress)?)
+                Ok(solver.map_rows(&points, targets, (options, *threads), tell, progress)?)
             })?;
             Ok(numbers)
         })?;
         Ok(shaped(py, numbers, shape))
     }
 
-    /// The place on the surface; none for a vertex that no face uses, which is as far from all as what nothing reaches.
+    /// The place on the surface; none for a vertex that no face uses.
     fn reachable(&self, source: Wanted) -> Result<Option<SurfacePoint>> {
         match source {
-            Wanted::On(InputPlace::Vertex(vertex))
-                if self.surface().vertices_of_inputs().as_slice().get(vertex) == Some(&None) =>
-            {
-                Ok(None)
-            }
-            source => self.point(source).map(Some),
+            Wanted::On(place) => Ok(row_source(place, self.soup(), self.surface())?),
+            Wanted::Near(_) => self.point(source).map(Some),
         }
     }
 }

@@ -19,7 +19,7 @@ use heatwalk::{BridgeRule, UnitRule, Up, WeldRule};
 use crate::options::choice;
 pub use directions::{LogMap, Transport};
 pub use fields::{Distance, Isolines, Question, Solving, Table};
-pub use many::Pairs;
+pub use many::{Matrix, Pairs};
 pub use paths::{Loop, Path, Walk};
 pub use samples::{Cells, Mean, Sample};
 use values::links;
@@ -59,6 +59,8 @@ pub enum Command {
     Cells(Cells),
     /// Exact distances of pairs of places
     Pairs(Pairs),
+    /// Distances from each of many sources, a row each
+    Matrix(Matrix),
     /// Fill a closed surface with tetrahedra
     Fill(Fill),
     /// Time both linear solvers of the heat method on each mesh
@@ -123,6 +125,7 @@ impl Command {
             Self::Transport(command) => (command.output.as_deref(), None),
             Self::Cells(command) => (command.output.as_deref(), command.borders.as_deref()),
             Self::Pairs(command) => (command.output.as_deref(), None),
+            Self::Matrix(command) => (Some(command.output.as_path()), None),
             Self::Fill(command) => (command.output.as_deref(), None),
         };
         [first, second]
@@ -143,6 +146,7 @@ impl Command {
             | Self::Transport(Transport { mesh, .. })
             | Self::Cells(Cells { mesh, .. })
             | Self::Pairs(Pairs { mesh, .. })
+            | Self::Matrix(Matrix { mesh, .. })
             | Self::Fill(Fill { mesh, .. }) => mesh.json,
             Self::Table(table) => table.json,
         }
@@ -176,7 +180,7 @@ pub struct Info {
 /// The first paragraph of clap's message, on one line; the rest is its help.
 pub fn in_one_sentence(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "give a command: info, distance, path, loop, isolines, sample, mean, walk, log-map, transport, cells, pairs, fill or table; heatwalk --help tells more".to_owned();
+        return "give a command: info, distance, path, loop, isolines, sample, mean, walk, log-map, transport, cells, pairs, matrix, fill or table; heatwalk --help tells more".to_owned();
     }
     let text = error.render().to_string();
     let paragraph = text.split("\n\n").next().unwrap_or_default();

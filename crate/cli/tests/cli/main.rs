@@ -14,6 +14,7 @@ mod isolines;
 mod joining;
 mod lists;
 mod loops;
+mod matrix;
 mod method;
 mod options;
 mod pairs;

@@ -82,6 +82,8 @@ fn files_go_to_standard_output_and_nothing_else_does() {
         ("transport torus.ply --vector 0:0,1,0", "csv"),
         ("fill torus.ply --resolution 8", "msh"),
         ("distance shape:cube --source 0", "vtu"),
+        ("matrix torus.ply --landmarks 3", "csv"),
+        ("matrix torus.ply --landmarks 3", "npy"),
     ] {
         let command: Vec<&str> = command.split(' ').collect();
         let file = format!("out.{extension}");
@@ -98,4 +100,6 @@ fn files_go_to_standard_output_and_nothing_else_does() {
     assert!(output.stdout.starts_with(b"vertex,distance\n") && output.stderr.starts_with(b"{\""));
     let both = ["cells", "torus.ply", "--source", "0", "--output", "-", "--borders", "-"];
     assert!(refused(&folder, &both).contains("only one file"));
+    let sparse = ["matrix", "torus.ply", "--all", "--max-distance", "1", "--output=-.npz"];
+    assert!(refused(&folder, &sparse).contains("put together at the end"));
 }

@@ -11,6 +11,7 @@ mod options;
 mod pairs;
 mod paths;
 mod questions;
+mod rows;
 mod search;
 mod solution;
 
@@ -20,6 +21,7 @@ use std::sync::Arc;
 pub use answer::Answer;
 pub use joined::Joined;
 pub use options::DistanceOptions;
+pub use rows::row_source;
 pub use solution::Solution;
 
 use crate::bridged::CarriedSources;
