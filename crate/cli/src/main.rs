@@ -20,6 +20,7 @@ mod markdown;
 mod matrix;
 mod mean;
 mod method;
+mod number;
 mod options;
 mod output;
 mod pairs;

@@ -16,7 +16,7 @@ use crate::locate::Locator;
 use crate::output::Output;
 use crate::place::Place;
 use crate::question::walkable;
-use crate::report::{Report, milliseconds, object};
+use crate::report::milliseconds;
 use crate::timing::prepare;
 use crate::volume;
 
@@ -82,7 +82,7 @@ pub fn path(arguments: &Path) -> Result<String> {
     }
     report.push("factor_nonzeros", prepared.solver.heat().map_or(0, HeatSolver::factor_nonzeros));
     let facts = |found: &Found| found.facts(prepared.solver.costs().map(|_| prepared.solver.cost_of(&found.path)));
-    push_paths(&mut report, &arguments.to, found.iter().map(facts).collect());
+    report.push_paths(&arguments.to, found.iter().map(facts).collect());
     let sum = |time: fn(&Found) -> f64| found.iter().map(time).sum::<f64>();
     report.push(
         "timings_ms",
@@ -92,17 +92,6 @@ pub fn path(arguments: &Path) -> Result<String> {
         }),
     );
     Ok(report.render(arguments.mesh.json))
-}
-
-/// What is told of the path to each of these places: of several in a list.
-pub fn push_paths(report: &mut Report, to: &[Place], mut facts: Vec<Vec<(&'static str, Value)>>) {
-    if facts.len() == 1 {
-        report.extend(facts.remove(0));
-        return;
-    }
-    let paths =
-        to.iter().zip(facts).map(|(to, facts)| object([("to", json!(to.to_string()))].into_iter().chain(facts)));
-    report.push("paths", paths.collect::<Vec<_>>());
 }
 
 /// The path through these places.

@@ -1,6 +1,6 @@
 //! What the commands print: one JSON object, or aligned lines.
 
-use std::fmt::Write as _;
+use std::fmt::{Display, Write as _};
 use std::time::Instant;
 
 use heatwalk::{BuildReport, Joined, LengthUnit, Link, RelativeError, Soup, Stage, Unit, Warning};
@@ -40,6 +40,16 @@ impl Report {
 
     pub fn extend(&mut self, values: impl IntoIterator<Item = (&'static str, Value)>) {
         self.values.extend(values);
+    }
+
+    /// What is told of the path `to` each of these places: of several in a list.
+    pub fn push_paths(&mut self, to: &[impl Display], mut facts: Vec<Vec<(&'static str, Value)>>) {
+        if facts.len() == 1 {
+            self.extend(facts.remove(0));
+            return;
+        }
+        let path = |(to, facts): (&_, Vec<_>)| object([("to", json!(format!("{to}")))].into_iter().chain(facts));
+        self.push("paths", to.iter().zip(facts).map(path).collect::<Vec<_>>());
     }
 
     pub fn push_error(&mut self, error: RelativeError) {

@@ -8,8 +8,8 @@ use heatwalk::{DistanceOptions, MultiSource};
 
 use super::values::{at_least_one, positive};
 use super::{Bridging, Mesh, Solving, UpAxis};
-use crate::matrix::Number;
 use crate::method::MethodOptions;
+use crate::number::Number;
 
 #[derive(Args)]
 pub struct Pairs {

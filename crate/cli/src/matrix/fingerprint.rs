@@ -4,10 +4,18 @@ use std::fmt::{self, Write};
 use std::hash::{DefaultHasher, Hasher};
 
 use anyhow::Result;
-use heatwalk::DistanceSolver;
+use heatwalk::{DistanceOptions, DistanceSolver, SurfacePoint, VertexId};
 
-use super::Question;
 use super::row::Layout;
+use crate::place::Place;
+
+/// Rows and columns.
+pub struct Question<'a> {
+    pub places: &'a [Place],
+    pub sources: &'a [Option<SurfacePoint>],
+    pub columns: &'a [Option<VertexId>],
+    pub options: &'a DistanceOptions,
+}
 
 /// Hashes what is written to it. Another version of the compiler may hash otherwise; then a matrix is begun anew.
 struct Hashed(DefaultHasher);

@@ -12,12 +12,11 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, ensure};
 use heatwalk::{
-    Choice, DistanceOptions, DistanceSolver, Element, InputVertex, SampleCount, Surface, SurfacePoint, VertexId,
-    farthest_samples, go_on, row_source,
+    Choice, DistanceSolver, Element, InputVertex, SampleCount, Surface, VertexId, farthest_samples, go_on, row_source,
 };
 use serde_json::json;
 
-use self::fingerprint::fingerprint;
+use self::fingerprint::{Question, fingerprint};
 use self::progress::Ticker;
 use self::row::Layout;
 use self::sink::Sink;
@@ -31,8 +30,6 @@ use crate::question::walkable;
 use crate::report::{Report, milliseconds};
 use crate::timing::prepare;
 use crate::volume;
-
-pub use self::row::Number;
 
 /// Bytes of rows that wait to be written, unless one a thread is more.
 const WAITING: usize = 64 << 20;
@@ -94,14 +91,6 @@ pub fn matrix(arguments: &Matrix) -> Result<String> {
 
 fn told_times(report: &mut Report, [read, build, precompute, rows]: [f64; 4]) {
     report.push("timings_ms", json!({ "read": read, "build": build, "precompute": precompute, "rows": rows }));
-}
-
-/// Rows and columns.
-struct Question<'a> {
-    places: &'a [Place],
-    sources: &'a [Option<SurfacePoint>],
-    columns: &'a [Option<VertexId>],
-    options: &'a DistanceOptions,
 }
 
 /// What was done.

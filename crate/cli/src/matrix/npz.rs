@@ -7,7 +7,7 @@ use anyhow::Result;
 use rawzip::ZipArchiveWriter;
 
 use super::npy;
-use super::row::Number;
+use crate::number::Number;
 
 /// Which part of a row is wanted.
 #[derive(Clone, Copy, PartialEq)]

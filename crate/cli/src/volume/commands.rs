@@ -13,7 +13,6 @@ use serde_json::{Value, json};
 use super::input::{Input, point, refuse, refuse_bridging, volume_options};
 use crate::args::{Info, Path};
 use crate::output::Output;
-use crate::path::push_paths;
 use crate::place::Place;
 use crate::report::{Report, milliseconds, push_fields};
 
@@ -61,7 +60,7 @@ pub fn path(arguments: &Path, input: &Input) -> Result<String> {
         output.write_several(&lines, "path", arguments.axis.up)?;
     }
     said.push("factor_nonzeros", solver.factor_nonzeros());
-    push_paths(&mut said, &arguments.to, found.iter().map(|found| found.facts(costs.is_some())).collect());
+    said.push_paths(&arguments.to, found.iter().map(|found| found.facts(costs.is_some())).collect());
     let sum = |time: fn(&Found) -> f64| found.iter().map(time).sum::<f64>();
     said.push(
         "timings_ms",
