@@ -40,15 +40,13 @@ impl DistanceSolver {
         let numbered = sources.iter().enumerate().filter_map(|(number, source)| Some((number, (*source)?)));
         let (numbers, points): (Vec<usize>, Vec<SurfacePoint>) = numbered.unzip();
         let values = |answer: &Answer| -> Vec<f64> {
-            let value = |target: &Option<VertexId>| target.map_or(f64::INFINITY, |vertex| answer.distance.values[vertex]);
+            let value =
+                |target: &Option<VertexId>| target.map_or(f64::INFINITY, |vertex| answer.distance.values[vertex]);
             targets.iter().map(value).collect()
         };
         let map = |reached: usize, answer: Answer| row(numbers[reached], &values(&answer));
-        let found = if points.is_empty() {
-            Vec::new()
-        } else {
-            self.map_from_each(&points, options, threads, map, progress)?
-        };
+        let found =
+            if points.is_empty() { Vec::new() } else { self.map_from_each(&points, options, threads, map, progress)? };
         let mut found = found.into_iter();
         let empty = vec![f64::INFINITY; if numbers.len() < sources.len() { targets.len() } else { 0 }];
         let own = |(number, source): (usize, &Option<SurfacePoint>)| match source {
