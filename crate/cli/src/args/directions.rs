@@ -6,8 +6,8 @@ use clap::{ArgGroup, Args};
 use glam::DVec3;
 use heatwalk::{Choice, Method};
 
+use super::common::{Bridging, Mesh, UpAxis};
 use super::values::direction;
-use super::{Bridging, Mesh, UpAxis};
 use crate::place::{Place, PlacedVector};
 
 #[derive(Args)]

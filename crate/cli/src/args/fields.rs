@@ -7,8 +7,8 @@ use clap::{ArgGroup, Args};
 use glam::DVec3;
 use heatwalk::{DistanceOptions, MultiSource, Parameters};
 
+use super::common::{Bridging, Mesh, UpAxis};
 use super::values::{direction, positive};
-use super::{Bridging, Mesh, UpAxis};
 use crate::curve::Curves;
 use crate::ground::Ground;
 use crate::lists::with_listed;

@@ -6,8 +6,9 @@ use anyhow::Result;
 use clap::{ArgGroup, Args};
 use heatwalk::{DistanceOptions, MultiSource};
 
+use super::common::{Bridging, Mesh, UpAxis};
+use super::fields::Solving;
 use super::values::{at_least_one, positive};
-use super::{Bridging, Mesh, Solving, UpAxis};
 use crate::method::MethodOptions;
 use crate::number::Number;
 

@@ -1,5 +1,6 @@
-//! The command line: what all commands have, and the commands by groups.
+//! The command line: its commands by groups.
 
+mod common;
 mod directions;
 mod fields;
 mod many;
@@ -8,21 +9,17 @@ mod samples;
 mod values;
 mod volume;
 
-use std::num::NonZeroUsize;
-use std::path::{self, PathBuf};
-use std::thread::available_parallelism;
+use std::path;
 
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
-use heatwalk::{BridgeRule, UnitRule, Up, WeldRule};
 
-use crate::options::choice;
+pub use common::{Bridging, Mesh};
 pub use directions::{LogMap, Transport};
 pub use fields::{Distance, Isolines, Question, Solving, Table};
 pub use many::{Matrix, Pairs};
 pub use paths::{Loop, Path, Walk};
 pub use samples::{Cells, Mean, Sample};
-use values::links;
 pub use volume::Fill;
 
 /// Geodesic distance and paths on meshes.
@@ -67,49 +64,6 @@ pub enum Command {
     Table(Table),
 }
 
-/// What the commands on one mesh read and how they answer.
-#[derive(Args)]
-pub struct Mesh {
-    /// glTF, GLB, OBJ, OFF, PLY, STL, 3MF or VTK file, or shape:NAME; of points alone: also XYZ, TXT, CSV, ASC or PTS file; of tetrahedra: Gmsh,
-    /// Medit, VTK or TetGen file
-    pub mesh: PathBuf,
-    /// Take only this part of the file, counted from 0; may be repeated
-    #[arg(long = "part", value_name = "N")]
-    pub parts: Vec<usize>,
-    /// Take the pose of this animation of the file, by its name or its number from 0, at --time
-    #[arg(long, value_name = "NAME")]
-    pub animation: Option<String>,
-    /// Seconds after the beginning of the animation
-    #[arg(long, value_name = "S", requires = "animation", default_value_t, allow_negative_numbers = true)]
-    pub time: f64,
-    /// Vertices that become one: those of equal position (exact), also those on both sides of a crack too narrow to be seen
-    /// (auto), or no wider than D
-    #[arg(long, value_name = "exact|auto|D", default_value_t, allow_negative_numbers = true)]
-    pub weld: WeldRule,
-    /// Unit that lengths are in: as the file says, or else by the size of the model (auto), none, or this one. It is told with
-    /// the lengths and changes none of them
-    #[arg(long, value_name = "auto|none|um|mm|cm|in|ft|m|km", default_value_t)]
-    pub unit: UnitRule,
-    /// Threads that build the surface, find contacts and answer --each; all that the machine has if not given
-    #[arg(long, value_name = "N")]
-    threads: Option<NonZeroUsize>,
-    /// Print one JSON object
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// How the components of a mesh are joined.
-#[derive(Args)]
-pub struct Bridging {
-    /// Components that paths cross between: those that pierce or nearly touch each other (auto), none (off), or those that
-    /// are no farther apart than D
-    #[arg(long = "bridge", value_name = "auto|off|D", default_value_t, allow_negative_numbers = true)]
-    pub rule: BridgeRule,
-    /// Link so many more of the groups that stay apart, each time the two that are nearest, or all of them
-    #[arg(long = "link", value_name = "N|all", default_value = "0", value_parser = links, allow_negative_numbers = true)]
-    pub links: usize,
-}
-
 impl Command {
     /// The files that it is told to write.
     pub fn outputs(&self) -> [Option<&path::Path>; 2] {
@@ -151,22 +105,6 @@ impl Command {
             Self::Table(table) => table.json,
         }
     }
-}
-
-impl Mesh {
-    /// Threads to work on.
-    pub fn threads(&self) -> NonZeroUsize {
-        // Where the machine does not tell, one is sure to be there.
-        self.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN)
-    }
-}
-
-/// The group `turned` is what it has something to do with.
-#[derive(Args)]
-pub struct UpAxis {
-    /// The axis of the mesh that points up: slopes are measured against it, and in the output it becomes Y
-    #[arg(long, requires = "turned", value_name = "AXIS", default_value_t, value_parser = choice::<Up>(), allow_hyphen_values = true)]
-    pub up: Up,
 }
 
 #[derive(Args)]

@@ -7,8 +7,9 @@ use clap::{ArgGroup, Args};
 use glam::DVec3;
 use heatwalk::{DistanceOptions, MultiSource};
 
+use super::common::{Bridging, Mesh, UpAxis};
+use super::fields::Solving;
 use super::values::{direction, positive};
-use super::{Bridging, Mesh, Solving, UpAxis};
 use crate::method::MethodOptions;
 use crate::place::Place;
 

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::{ArgGroup, Args};
 use glam::DVec3;
 
+use super::common::{Bridging, Mesh, UpAxis};
 use super::values::{at_least_one, direction, positive};
-use super::{Bridging, Mesh, UpAxis};
 use crate::place::{SourcePlace, WeightedPlace};
 
 #[derive(Args)]

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::Mesh;
+use super::common::Mesh;
 
 #[derive(Args)]
 pub struct Fill {
