@@ -17,7 +17,7 @@ test('without a GPU the page says so and still solves', async ({ page }) => {
   const maxDistance = () => page.evaluate(() => window.heatwalk.field?.maxDistance ?? 0);
   const bunny = await maxDistance();
   expect(bunny).toBeGreaterThan(0);
-  await page.getByRole('button', { name: 'Torus' }).click();
+  await page.getByRole('button', { name: 'Torus', exact: true }).click();
   await expect.poll(maxDistance).not.toBe(bunny);
   await openSection(page, 'numbers');
   await expect(page.locator('#section-numbers')).toContainText('17,280');

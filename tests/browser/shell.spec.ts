@@ -156,7 +156,7 @@ test('the search finds settings by name and by what is said of them, commands wi
   await expect(page.getByRole('button', { name: 'Turntable' })).toHaveAttribute('aria-pressed', 'true');
   await page.keyboard.press('Control+k');
   await field.fill('torus');
-  await dialog.getByRole('option', { name: 'Torus' }).click();
+  await dialog.getByRole('option', { name: /^Torus/ }).click();
   await expect.poll(() => page.evaluate(() => window.heatwalk.mesh?.name)).toBe('torus');
 });
 

@@ -24,7 +24,7 @@ test('the page in one file opens from a disk, where nothing else is', async ({ p
   await page.getByRole('button', { name: 'Help' }).click();
   const opening = page.waitForEvent('popup');
   await page.getByRole('link', { name: 'All documents' }).click();
-  await expect((await opening).getByRole('heading', { name: 'The program' })).toBeVisible();
+  await expect((await opening).getByRole('heading', { name: 'The program', exact: true })).toBeVisible();
   await expect(page).toHaveURL(/alone\.html\?gpu=webgl#v=1&m=cave/);
   expect(asked.filter((protocol) => !['file:', 'data:', 'blob:'].includes(protocol))).toEqual([]);
   expect(asked.filter((protocol) => protocol === 'file:')).toHaveLength(1);
