@@ -39,6 +39,7 @@ test('labels of the vertical axis stand beside its title, however large values a
   const chart = (await chartsOf(page)).getByRole('img', { name: /^Distance along the path/ });
   const sides = (texts: string) =>
     chart.locator(texts).evaluateAll((all) => all.map((each) => each.getBoundingClientRect()));
+  await expect(chart).toBeVisible();
   const [title] = await sides('text[transform]');
   for (const { left } of await sides('text[dy]')) expect(left).toBeGreaterThan(title.right);
 });
