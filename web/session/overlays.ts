@@ -28,7 +28,7 @@ const EDGES: readonly { overlay: Overlay; kind: EdgeKind; colour: string }[] = [
 ];
 
 const ISOLINES = { colour: '#e5202e', width: 1.6 };
-/** What it depends on what is shown, beside the answer. */
+/** What the overlays depend on, beside the answer. */
 const OTHERS = ['overlays', 'colorBy', 'heading'] as const;
 const PATHS: readonly PathCurves[] = ['loops', 'loop', 'bezier'];
 /** Of their rims: they are many. */

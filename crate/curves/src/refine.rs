@@ -81,8 +81,9 @@ struct Refinement<'a> {
 
 impl Field {
     /// Divides triangles along isolines until their lengths are right to [`TRUE_TO`]. Distances are those of shortest paths at the
-    /// vertices; `ask` gives them at other places, or none where they are not known. Loops that lie inside of a triangle as a
-    /// whole may be missed. They are asked for in so many rounds at most, of which each halves what it divides. A field whose source is a line along edges stays as it is.
+    /// vertices; `ask` gives them at other places, once in each of so many `rounds` at most, which halve what they divide, or none where
+    /// they are not known. Loops that lie inside of a triangle as a whole may be missed. A field whose source is a line along edges stays
+    /// as it is.
     ///
     /// # Errors
     /// Those of `ask`.
