@@ -1,3 +1,6 @@
+/** Lines are this far apart in a bar, or left out, since they would hide the colors; CSS pixels. */
+export const LEAST_APART = 3;
+
 /** A bar of the colors. */
 export interface Bar {
   title: string;

@@ -6,7 +6,7 @@ import { roundBelow, roundStep } from '../../state/legend';
 import { cssOf } from '../../state/linear';
 import { measure, threeDigits, withUnit } from '../../state/measures';
 import { colourOfSide } from '../../state/sides';
-import type { Bar } from './bar';
+import { type Bar, LEAST_APART } from './bar';
 import { counted, t, type Words } from '../../texts';
 
 const LINE = 'rgb(20,20,20)';
@@ -45,8 +45,9 @@ function ofCurves({ range }: CurveDistances, unit: LengthUnit, period: number, c
       colours: (pixels, density) => (share) => {
         const value = least + share * (most - least);
         const lines = value / (period * largest);
-        const away = (Math.abs(lines - Math.round(lines)) * period * largest * pixels) / (most - least);
-        if (away < HALF * density) return LINE;
+        const apart = (period * largest * pixels) / (most - least);
+        const isLine = Math.abs(lines - Math.round(lines)) * apart < HALF * density;
+        if (isLine && apart > LEAST_APART * density) return LINE;
         return cssOf(colourOfSide(value < 0, Math.abs(value) / largest));
       },
       key: JSON.stringify([range, period]),

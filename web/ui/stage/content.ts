@@ -20,7 +20,7 @@ import { type Pattern, rampBytes, type Style, telling, WIDEST_LINE } from '../..
 import { between, cross, dot, type Vector } from '../../state/vector';
 import type { View } from '../../view/view';
 import { t, sentences, type Words } from '../../texts';
-import type { Bar } from './bar';
+import { type Bar, LEAST_APART } from './bar';
 import { besideOf } from './beside';
 
 /** A length on the screen, CSS pixels. */
@@ -57,8 +57,6 @@ export interface Content {
 /** The longest scale bar. */
 const LONGEST = { wide: 96, compact: 56 } as const;
 const MOST_TICKS = { wide: 5, compact: 2 } as const;
-/** Lines are this far apart in the bar, or left out; CSS pixels. */
-const LEAST_APART = 3;
 /** Between the stripes where the file's own materials are seen. */
 const OF_FILE: Vector = [205, 204, 201];
 
