@@ -72,6 +72,7 @@ fn info(arguments: &Info) -> Result<String> {
     let mut solver = DistanceSolver::on_threads(Arc::clone(&surface), arguments.mesh.threads());
     let join_ms = join(&mut solver, &arguments.bridging)?;
     report.push_joined(solver.joined());
+    report.push("polygons", surface.report().polygons);
     report.push_build(surface.report());
     report.push("mean_edge", surface.mean_edge());
     report.push_parts(&input.file.soup);

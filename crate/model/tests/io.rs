@@ -9,7 +9,7 @@ use glam::DVec3;
 use heatwalk_model::Error;
 use heatwalk_model::io::{upward, write};
 use heatwalk_shapes as shapes;
-use heatwalk_surface::{Error as SurfaceError, Soup, Unit};
+use heatwalk_surface::{Error as SurfaceError, Soup, Surface, Unit};
 use serde_json::{Value, json};
 
 use crate::reading::{areas, part_names, read, read_model};
@@ -84,6 +84,34 @@ fn obj_groups_are_parts() {
     assert_eq!(part_names(&soup), ["x", "x"], "groups of different objects are different parts");
     let soup = read("plain.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").unwrap();
     assert_eq!(part_names(&soup), ["plain"]);
+}
+
+#[test]
+fn polygons_are_known_by_their_triangles() {
+    // A triangle, a square and a pentagon.
+    let vertices = [[0, 0], [1, 0], [1, 1], [0, 1], [2, 0], [3, 0], [3, 1], [2, 1], [4, 0], [5, 0], [5, 1]];
+    let own = |start: &str| vertices.iter().map(|[x, y]| format!("{start}{x} {y} 0\n")).collect::<String>();
+    let off = format!("OFF\n11 3 0\n{}3 0 1 2\n4 4 5 6 7\n5 8 9 10 7 4\n", own(""));
+    let obj = format!("{}g a\nf 1 2 3\ng b\nf 5 6 7 8\nf 9 10 11 8 5\n", own("v "));
+    let ply = format!(
+        "ply\nformat ascii 1.0\nelement vertex 11\nproperty float x\nproperty float y\nproperty float z\nelement face 3\nproperty list uchar int vertex_indices\nend_header\n{}3 0 1 2\n4 4 5 6 7\n5 8 9 10 7 4\n",
+        own("")
+    );
+    let vtk = format!(
+        "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 11 float\n{}POLYGONS 3 15\n3 0 1 2\n4 4 5 6 7\n5 8 9 10 7 4\n",
+        own("")
+    );
+    for (name, text) in [("a.off", &off), ("a.obj", &obj), ("a.ply", &ply), ("a.vtk", &vtk)] {
+        let soup = read(name, text).unwrap();
+        assert_eq!(soup.triangles.len(), 6, "{name}");
+        assert_eq!(soup.polygons, [1..3, 3..6], "{name}");
+        assert_eq!(Surface::build(&soup).unwrap().report().polygons, 3, "{name}");
+    }
+    let soup = read("a.obj", &obj).unwrap();
+    assert_eq!(soup.select(&[1]).unwrap().polygons, [0..2, 2..5]);
+    assert!(soup.select(&[0]).unwrap().polygons.is_empty());
+    // What is chosen alone counts.
+    assert_eq!(Surface::build(&soup.chosen(&[1]).unwrap()).unwrap().report().polygons, 2);
 }
 
 #[test]

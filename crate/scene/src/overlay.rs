@@ -23,9 +23,9 @@ const SEEN: f64 = 0.01;
 /// Both ends of a straight segment of a line; in the file's unit.
 pub type Segment = [DVec3; 2];
 
-/// Each edge between two or more faces once.
+/// Each edge between two or more faces once, but not those that cut polygons of the file.
 pub fn inner_edges(surface: &Surface) -> Vec<Segment> {
-    edges_where(surface, |halfedge| !surface.edges().is_single(halfedge))
+    edges_where(surface, |halfedge| !surface.edges().is_single(halfedge) && !surface.is_within_polygon(halfedge))
 }
 
 /// Each edge with one face.

@@ -20,6 +20,20 @@ fn a_closed_surface_has_half_as_many_edges_again_as_faces_and_no_boundary() {
 }
 
 #[test]
+fn edges_that_cut_polygons_are_not_drawn() {
+    let mut soup = shapes::grid(3, 2);
+    soup.polygons = (0..6).map(|square| 2 * square..2 * square + 2).collect();
+    let squares = surface(&soup);
+    assert_eq!((squares.report().polygons, squares.report().faces), (6, 12));
+    // Each is 1 / 3 by 1 / 2; two lines across, one along.
+    assert!((total(&overlay::inner_edges(&squares)) - 3.0).abs() < 1e-12);
+    assert!((total(&overlay::boundary_edges(&squares)) - 4.0).abs() < 1e-12);
+    // A triangle beside a square shares an edge that is drawn.
+    soup.polygons.pop();
+    assert_eq!(overlay::inner_edges(&surface(&soup)).len(), overlay::inner_edges(&squares).len() + 1);
+}
+
+#[test]
 fn the_boundary_of_a_strip_is_its_outline() {
     let strip = surface(&shapes::strip(1.0, 4.0, 2));
     // Sums of a few dozen lengths.

@@ -20,6 +20,8 @@ pub struct Soup {
     /// `#F × 3`, indices into `positions`, in file order. The triangles of a polygon follow each other, in the order of its corners.
     #[cfg_attr(feature = "packed", serde(with = "heatwalk_base::packed::plain"))]
     pub triangles: Vec<[u32; 3]>,
+    /// The polygons of more than three corners, each as the range of `triangles` that it is cut into, ascending.
+    pub polygons: Vec<Range<usize>>,
     /// The parts in file order, no triangle in two.
     pub parts: Vec<Part>,
     /// Triangles that are no part of the surface, as ranges of `triangles`, ascending: those of parts that were not [chosen](Self::chosen).
@@ -217,18 +219,22 @@ impl Soup {
         // How many triangles come before each range.
         let before: Vec<usize> =
             ranges.iter().scan(0, |sum, range| Some(std::mem::replace(sum, *sum + range.len()))).collect();
+        // Where triangles that are kept come to; none where they are not.
+        let moved = |range: &Range<usize>| {
+            let index = ranges.partition_point(|joined| joined.end <= range.start);
+            let start = before.get(index)? + range.start.checked_sub(ranges[index].start)?;
+            Some(start..start + range.len())
+        };
         for part in &mut parts {
-            for range in std::mem::take(&mut part.ranges) {
-                let index = ranges.partition_point(|joined| joined.end <= range.start);
-                let start = before[index] + range.start - ranges[index].start;
-                part.add(start..start + range.len());
-            }
+            let kept = std::mem::take(&mut part.ranges);
+            kept.iter().filter_map(moved).for_each(|range| part.add(range));
         }
+        let polygons = self.polygons.iter().filter_map(moved).collect();
         let mut triangles = Vec::new();
         for range in ranges {
             triangles.extend_from_slice(&self.triangles[range]);
         }
-        Self { parts, ..self.over(&is_kept, triangles) }
+        Self { parts, polygons, ..self.over(&is_kept, triangles) }
     }
 
     /// Some of its parts, in file order.

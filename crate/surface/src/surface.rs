@@ -11,6 +11,7 @@ mod walls;
 pub use walls::Walls;
 
 use std::num::NonZeroUsize;
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DVec3;
@@ -43,6 +44,8 @@ pub struct BuildReport {
     pub vertices: usize,
     /// Faces kept.
     pub faces: usize,
+    /// Polygons of the input that these are cut from; a triangle is one.
+    pub polygons: usize,
     /// Input vertices that became one with an earlier one.
     pub welded_vertices: usize,
     /// Those of them that became one with a vertex of another position, on the other side of a crack; input vertices of one
@@ -96,6 +99,8 @@ pub struct Surface {
     /// Number [`NONE`] where the triangle was dropped.
     face_of_triangle: InputTriangleData<FaceId>,
     triangle_of_face: FaceData<InputTriangle>,
+    /// As those of [`Soup::polygons`].
+    polygons: Vec<Range<usize>>,
     /// Empty where each vertex is of one input vertex.
     inputs_of_face: FaceData<[InputVertex; 3]>,
     components: VertexData<u32>,
@@ -168,10 +173,15 @@ impl Surface {
             Connectivity::new(faces.as_slice(), &corners, &edges, twins, threads);
         let sums = EdgeSums::new(&edges, &faces, &positions, threads);
         let unreferenced = welded.vertex_of_input.iter().filter(|vertex| vertex.is_none()).count();
+        let mut is_first = vec![true; soup.polygons.len()];
+        let of_polygon = |&triangle: &InputTriangle| polygon_of(&soup.polygons, triangle);
+        let seen = triangle_of_face.iter().filter_map(of_polygon);
+        let further = seen.filter(|&polygon| !std::mem::replace(&mut is_first[polygon], false)).count();
         let report = BuildReport {
             input_vertices: soup.positions.len(),
             vertices: positions.len(),
             faces: faces.len(),
+            polygons: faces.len() - further,
             welded_vertices: soup.positions.len() - unreferenced - positions.len(),
             crack_vertices: welded.crack_vertices,
             crack_width: welded.crack_width,
@@ -216,6 +226,7 @@ impl Surface {
             vertex_of_input: welded.vertex_of_input,
             face_of_triangle: face_of_triangle.into(),
             triangle_of_face,
+            polygons: soup.polygons.clone(),
             inputs_of_face,
             components,
             is_boundary,
@@ -331,6 +342,13 @@ impl Surface {
     /// The input triangle that became a face.
     pub fn triangle_of_face(&self, face: FaceId) -> InputTriangle {
         self.triangle_of_face[face]
+    }
+
+    /// Whether an edge is between faces that a polygon of the input was cut into.
+    pub fn is_within_polygon(&self, halfedge: HalfedgeId) -> bool {
+        let of = |at: HalfedgeId| polygon_of(&self.polygons, self.triangle_of_face[at.triangle()]);
+        let mut others = self.edges.around(halfedge).skip(1).peekable();
+        others.peek().is_some() && of(halfedge).is_some_and(|polygon| others.all(|other| of(other) == Some(polygon)))
     }
 
     /// The input vertices at a face's corners, in the order of [`faces`](Self::faces).
@@ -519,4 +537,10 @@ impl EdgeSums {
             branching: self.branching + other.branching,
         }
     }
+}
+
+/// The number of the polygon that a triangle is a part of.
+fn polygon_of(polygons: &[Range<usize>], triangle: InputTriangle) -> Option<usize> {
+    let number = polygons.partition_point(|range| range.end <= triangle.index());
+    polygons.get(number).filter(|range| range.contains(&triangle.index())).map(|_| number)
 }

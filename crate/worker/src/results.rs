@@ -113,6 +113,8 @@ report! {
     vertices,
     /// Faces kept.
     faces,
+    /// Polygons of the file that these are cut from; a triangle is one.
+    polygons,
     /// Input vertices that were merged into another.
     welded_vertices,
     /// Vertices that were merged into one across a crack.

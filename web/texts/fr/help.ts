@@ -208,7 +208,7 @@ export const HELP: Texts = {
   'Parts of the file that nobody walks on.': 'Pièces du fichier où personne ne marche.',
   'The triangles that join the points of a file without faces.':
     'Les triangles qui relient les points d’un fichier sans faces.',
-  'The triangles of the file.': 'Les triangles du fichier.',
+  'The triangles and polygons of the file.': 'Les triangles et polygones du fichier.',
   'Edges with a triangle on one side only.': 'Arêtes avec un triangle d’un seul côté.',
   'Where distance crosses from one component to another.': 'Où la distance passe d’une composante à une autre.',
   'The triangles that the Laplacian is built on.': 'Les triangles sur lesquels le laplacien est construit.',

@@ -325,6 +325,7 @@ export const PANEL: Texts = {
   Renderer: 'Moteur de rendu',
   'Pixels drawn': 'Pixels dessinés',
   Triangles: 'Triangles',
+  Polygons: 'Polygones',
   Vertices: 'Sommets',
   Components: 'Composantes',
   'Links between groups': 'Liens entre groupes',

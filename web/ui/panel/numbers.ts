@@ -49,6 +49,7 @@ function figures({ opened, answer, places }: Shown, unit: LengthUnit): [Words, W
   const { timings } = factoring;
   return [
     [t('Triangles'), count(report.faces)],
+    [t('Polygons'), report.polygons < report.faces ? count(report.polygons) : '–'],
     [t('Tetrahedra'), opened.interior ? count(opened.interior.report.tetrahedra) : '–'],
     [t('Vertices'), count((opened.interior?.report ?? report).vertices)],
     [t('Components'), count(report.components)],

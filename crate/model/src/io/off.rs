@@ -215,7 +215,7 @@ impl<'a> Mesh<'a> {
         polygons
             .check(positions.len())
             .map_err(|missing| OFF.no_vertex(place(missing.polygon), missing.vertex, positions.len(), 0))?;
-        let triangles = polygons.triangulate_all(&positions, &mut warnings, place)?;
-        Ok(Soup { warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) })
+        let (triangles, polygons) = polygons.triangulate_all(&positions, &mut warnings, place)?;
+        Ok(Soup { polygons, warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) })
     }
 }

@@ -182,8 +182,9 @@ fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
     polygons
         .check(positions.len())
         .map_err(|missing| PLY.no_vertex(place(missing.polygon), missing.vertex, positions.len(), 0))?;
-    let triangles = polygons.triangulate_all(&positions, &mut warnings, place)?;
-    let soup = Soup { attributes, unit, warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) };
+    let (triangles, polygons) = polygons.triangulate_all(&positions, &mut warnings, place)?;
+    let soup =
+        Soup { polygons, attributes, unit, warnings: warnings.into_vec(), ..Soup::single(name, positions, triangles) };
     let colors = if colors.len() == soup.positions.len() { colors } else { Vec::new() };
     // Faces tell how they are seen; of points alone nothing else tells which side is outside.
     let normals = if soup.triangles.is_empty() { normals } else { Vec::new() };

@@ -1,6 +1,7 @@
 //! Polygons to triangles: a fan where the polygon is strictly convex, a constrained Delaunay triangulation by spade elsewhere.
 
 use std::cmp::Reverse;
+use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 use heatwalk_base::parallel;
@@ -119,7 +120,8 @@ impl<'a> Polygons<'a> {
         })
     }
 
-    /// The triangles of all polygons in order, after [`Self::check`]. `place`: what the file calls a polygon, for warnings.
+    /// The triangles of all polygons in order, after [`Self::check`], and those of each that has more than one. `place`: what the file calls a
+    /// polygon, for warnings.
     ///
     /// # Errors
     /// [`OverBudget`](crate::Error::OverBudget).
@@ -128,18 +130,21 @@ impl<'a> Polygons<'a> {
         positions: &[DVec3],
         warnings: &mut Warnings,
         place: impl Fn(usize) -> String,
-    ) -> Result<Vec<[u32; 3]>> {
+    ) -> Result<(Vec<[u32; 3]>, Vec<Range<usize>>)> {
         let mut triangles = self.budget.list(self.corners.len().saturating_sub(2 * self.ends.len()))?;
-        let mut corners = Vec::new();
+        let (mut corners, mut cut) = (Vec::new(), Vec::new());
         for index in 0..self.ends.len() {
             corners.clear();
             if !self.triangulate_corners(index, positions, &mut corners)? {
                 warnings.add(WarningCode::CrossedPolygons, || place(index));
             }
             self.budget.reserve(&mut triangles, corners.len())?;
+            if corners.len() > 1 {
+                self.budget.push(&mut cut, triangles.len()..triangles.len() + corners.len())?;
+            }
             triangles.extend(corners.iter().map(|&places| self.vertices(places)));
         }
-        Ok(triangles)
+        Ok((triangles, cut))
     }
 }
 

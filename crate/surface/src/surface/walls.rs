@@ -113,6 +113,7 @@ impl Surface {
             vertex_of_input: self.vertex_of_input.clone(),
             face_of_triangle: self.face_of_triangle.clone(),
             triangle_of_face: self.triangle_of_face.clone(),
+            polygons: self.polygons.clone(),
             inputs_of_face: self.inputs_of_face.clone(),
             mean_edge: self.mean_edge,
         })

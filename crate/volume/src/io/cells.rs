@@ -269,8 +269,8 @@ impl NamedMesh<'_> {
             }
             rest = others;
         }
-        let triangles = polygons.triangulate_all(&self.positions, &mut warnings, place)?;
-        Ok(Soup { warnings: warnings.into_vec(), ..Soup::single(name, self.positions, triangles) })
+        let (triangles, polygons) = polygons.triangulate_all(&self.positions, &mut warnings, place)?;
+        Ok(Soup { polygons, warnings: warnings.into_vec(), ..Soup::single(name, self.positions, triangles) })
     }
 }
 

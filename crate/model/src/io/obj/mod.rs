@@ -233,6 +233,7 @@ impl<'a> File<'a> {
             .map_err(|missing| OBJ.no_vertex(line(missing.polygon), missing.vertex.saturating_add(1), vertices, 1))?;
         let mut corners = self.budget.list(self.part_of_polygon.len())?;
         let mut runs: Vec<Run> = Vec::new();
+        let mut polygons = Vec::new();
         let mut parts: Vec<Part> = names.into_iter().map(Part::new).collect();
         for (polygon, &part) in self.part_of_polygon.iter().enumerate() {
             let start = corners.len();
@@ -245,6 +246,9 @@ impl<'a> File<'a> {
                 continue;
             }
             parts[part].add(own.clone());
+            if own.len() > 1 {
+                self.budget.push(&mut polygons, own.clone())?;
+            }
             let material = self.material_of_polygon[polygon];
             match runs.last_mut().filter(|run| run.material == material) {
                 Some(run) => run.triangles.end = own.end,
@@ -257,7 +261,7 @@ impl<'a> File<'a> {
         let mut appearance = library.finish(runs);
         self.add_attributes(&triangles, &corners, &mut appearance);
         let warnings = self.warnings.into_vec();
-        let soup = Soup { positions: self.positions, triangles, parts, warnings, ..Soup::default() };
+        let soup = Soup { positions: self.positions, triangles, polygons, parts, warnings, ..Soup::default() };
         Ok(Model { appearance: Arc::new(appearance), ..soup.into() })
     }
 

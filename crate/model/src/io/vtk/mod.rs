@@ -114,7 +114,10 @@ pub(super) fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
             .faces
             .check(piece.positions.len())
             .map_err(|missing| VTK.no_vertex(place(missing.polygon), missing.vertex, piece.positions.len(), 0))?;
-        let triangles = piece.faces.triangulate_all(&piece.positions, &mut warnings, place)?;
+        let (triangles, polygons) = piece.faces.triangulate_all(&piece.positions, &mut warnings, place)?;
+        let before = soup.triangles.len();
+        budget.reserve(&mut soup.polygons, polygons.len())?;
+        soup.polygons.extend(polygons.into_iter().map(|range| before + range.start..before + range.end));
         budget.reserve(&mut soup.triangles, triangles.len())?;
         budget.reserve(&mut soup.positions, piece.positions.len())?;
         soup.triangles.extend(triangles.into_iter().map(|corners| corners.map(|vertex| first + vertex)));
