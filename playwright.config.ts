@@ -82,6 +82,8 @@ export default defineConfig({
       use: browser(CHROMIUM, [...WEBGL, OPAQUE]),
       ...chosen,
     },
+    // The package of npm under each bundler.
+    { name: 'npm', testDir: 'tests/npm', workers: 1, use: browser(SHELL, [...FAST, OPAQUE]), ...chosen },
     // Driven by other means than the rest.
     { name: 'others', testDir: 'tests/others', workers: 1, ...chosen },
     {

@@ -1,4 +1,4 @@
-/** The built page on a host of its own, in a folder, with whatever headers it has there. */
+/** The built page, or another folder of files, on a host of its own, in a folder, with whatever headers it has there. */
 import { createReadStream, existsSync } from 'node:fs';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
@@ -37,10 +37,11 @@ export class Host {
     this.pages = { ...pages };
   }
 
-  /** `pages`: texts beside the built page, by path. */
+  /** `pages`: texts beside the built page, by path; `files`: what is served in the place of that. */
   static async start(
     headers: Readonly<Record<string, string>> = {},
     pages: Readonly<Record<string, string>> = {},
+    files = PAGE,
   ): Promise<Host> {
     const server = createServer((request, response) => {
       const { pathname } = new URL(request.url ?? '/', 'http://host');
@@ -48,7 +49,7 @@ export class Host {
       for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
       const page = host.pages[pathname];
       const inside = pathname.startsWith(FOLDER) ? normalize(pathname.slice(FOLDER.length) || 'index.html') : '..';
-      const file = join(PAGE, inside);
+      const file = join(files, inside);
       if (pathname === host.breaksOff) {
         host.breaksOff = null;
         response

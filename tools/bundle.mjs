@@ -22,6 +22,12 @@ export function buildModules() {
   cargo('Building the wasm modules (minutes the first time, seconds after)', ['xtask', 'wasm', '--quick'], named);
 }
 
+/** Those of the npm package, as they are published. */
+export function publishPackageModules() {
+  requireWasm();
+  cargo("Building the npm package's modules to publish", ['xtask', 'wasm-package'], named);
+}
+
 /** The page with the modules that were built last. */
 export function bundle(folder = 'dist') {
   const args = ['build', '--logLevel', 'warn', '--outDir', folder, '--emptyOutDir'];

@@ -7,7 +7,10 @@ import { cargo, npmProgram, root, run, runBeside } from './steps.mjs';
 const named = 'The message above names the place.';
 const cut = 'One of the arrows above has to go: what both sides need belongs below both.';
 /** These are empty but on wasm32. */
-const UNDOCUMENTED = ['worker', 'reader', 'maker', 'interior'].flatMap((name) => ['--exclude', `heatwalk-${name}`]);
+const UNDOCUMENTED = ['worker', 'reader', 'maker', 'interior', 'npm'].flatMap((name) => [
+  '--exclude',
+  `heatwalk-${name}`,
+]);
 
 /** Format, lints, types and cycles of Rust and TypeScript; `modules` builds those of wasm, with which the types of bindings come. */
 export async function lint(modules) {
@@ -46,7 +49,12 @@ export async function lintPage(modules) {
   cargo('Looking for cycles of Rust modules', ['xtask', 'cycles'], cut);
   modules();
   npmProgram('Checking types', 'typescript/bin/tsc', ['--build'], named);
-  npmProgram('Linting TypeScript', 'oxlint/bin/oxlint', ['--deny-warnings', 'web', 'tests', 'tools'], named);
+  npmProgram(
+    'Linting TypeScript',
+    'oxlint/bin/oxlint',
+    ['--deny-warnings', 'web', 'tests', 'tools', 'crate/npm'],
+    named,
+  );
   run("Looking for cycles of the page's files and folders", process.execPath, [join(root, 'tools', 'cycles.mjs')], cut);
   await isFormatted();
 }

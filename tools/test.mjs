@@ -5,9 +5,18 @@
 // published.
 
 import { join } from 'node:path';
-import { buildModules, bundle, bundleSingle, publishModules, TESTED_FILE, TESTED_PAGE } from './bundle.mjs';
+import {
+  buildModules,
+  bundle,
+  bundleSingle,
+  publishModules,
+  publishPackageModules,
+  TESTED_FILE,
+  TESTED_PAGE,
+} from './bundle.mjs';
 import { checkFormat, checkSpelling, lintPage, lintWhileCompiling } from './checks.mjs';
 import { findFirefox, findMesa, findShell, findWebKit, hasSoftwareVulkan, prepare, requireChromium } from './needs.mjs';
+import { packPackage } from './npm.mjs';
 import { findReaders } from './peers.mjs';
 import { buildPackages, testPackage } from './python.mjs';
 import { cargo, npmProgram, output, printTimes, root, runBeside } from './steps.mjs';
@@ -35,7 +44,8 @@ const environment = { CHROMIUM: chromium, CHROMIUM_SHELL: shell, FIREFOX: firefo
 if (isSlow) {
   buildPackages();
   publishModules();
-  testPage({ HEATWALK_SLOW: '1' });
+  publishPackageModules();
+  await testPage({ HEATWALK_SLOW: '1' });
 } else if (word) {
   const only = ['test', ...most, '--lib', '--bins', '--tests', word, ...all];
   cargo(`Running the Rust tests with "${word}" in their name`, only, named, gpu);
@@ -45,7 +55,7 @@ if (isSlow) {
     console.log(`\nNo test of the page has "${word}" in its name.`);
   } else {
     buildModules();
-    testPage({}, ['--grep', word]);
+    await testPage({}, ['--grep', word]);
   }
 } else {
   lintWhileCompiling();
@@ -66,13 +76,13 @@ if (isSlow) {
   testPackage(most);
   cargo('Running the tests of the build steps', ['test', '--package', 'xtask'], named);
   cargo("Running the solver's tests on wasm32", ['xtask', 'test-wasm'], named);
-  testPage();
+  await testPage();
 }
 printTimes();
 
-function testPage(more = {}, chosen = []) {
+async function testPage(more = {}, chosen = []) {
   bundle(TESTED_PAGE);
   bundleSingle(TESTED_FILE);
-  const variables = { ...environment, ...more };
+  const variables = { ...environment, HEATWALK_PACKAGE: await packPackage(isSlow), ...more };
   npmProgram('Running the page in Chromium, Firefox and WebKit', PLAYWRIGHT, ['test', ...chosen], named, variables);
 }

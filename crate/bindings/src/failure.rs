@@ -31,6 +31,13 @@ impl Failure {
         Self(Error::new(sentence))
     }
 
+    /// An error of this kind, in kebab case.
+    pub fn of(code: &str, sentence: &str) -> Self {
+        let thrown = Error::new(sentence);
+        thrown.set_name(code);
+        Self(thrown)
+    }
+
     /// An error with its code, and what a user of the page can do about it.
     fn coded(sentence: &str, code: &str) -> Self {
         let remedy = match code {
@@ -42,9 +49,7 @@ impl Failure {
             "missing-resource" => "; open both together, or the folder that holds them",
             _ => "",
         };
-        let thrown = Error::new(&format!("{sentence}{remedy}"));
-        thrown.set_name(code);
-        Self(thrown)
+        Self::of(code, &format!("{sentence}{remedy}"))
     }
 }
 

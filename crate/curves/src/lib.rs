@@ -18,7 +18,7 @@ mod refine;
 mod sheet;
 mod strips;
 mod unroll;
-#[cfg(target_arch = "wasm32")]
+#[cfg(all(target_arch = "wasm32", feature = "page"))]
 mod web;
 pub mod write;
 

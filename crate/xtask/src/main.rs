@@ -1,5 +1,5 @@
-//! Build steps that need Rust: `cargo xtask wasm [--quick]`, `cargo xtask contract`, `cargo xtask test-wasm [NAME]`,
-//! `cargo xtask clippy-wasm`; and a check, `cargo xtask cycles [FOLDER]`.
+//! Build steps that need Rust: `cargo xtask wasm [--quick]`, `cargo xtask wasm-package`, `cargo xtask contract`,
+//! `cargo xtask test-wasm [NAME]`, `cargo xtask clippy-wasm`; and a check, `cargo xtask cycles [FOLDER]`.
 
 mod cycles;
 mod modules;
@@ -14,7 +14,8 @@ use anyhow::{Result, bail};
 use crate::toolchain::Toolchain;
 use crate::workspace::workspace;
 
-const USAGE: &str = "usage: cargo xtask wasm [--quick] | contract | test-wasm [NAME] | clippy-wasm | cycles [FOLDER]";
+const USAGE: &str =
+    "usage: cargo xtask wasm [--quick] | wasm-package | contract | test-wasm [NAME] | clippy-wasm | cycles [FOLDER]";
 
 fn main() -> Result<()> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -28,6 +29,7 @@ fn main() -> Result<()> {
             heatwalk_contract::write(workspace())?;
             modules::build_all_quickly(&Toolchain::find()?)
         }
+        ["wasm-package"] => modules::publish(&modules::PACKAGE, &Toolchain::find()?),
         ["contract"] => heatwalk_contract::write(workspace()),
         ["test-wasm", names @ ..] => wasm_tests::run_all(&Toolchain::find()?, names),
         ["clippy-wasm"] => modules::clippy(&Toolchain::find()?),

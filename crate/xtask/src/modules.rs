@@ -29,6 +29,8 @@ pub struct Module {
     profile: &'static str,
     /// Whether the page can begin again with a fresh instance. A worker ends with its instance instead.
     is_restartable: bool,
+    /// Whether its bindings find it beside them. Otherwise they are given it.
+    is_beside: bool,
 }
 
 /// The solver: float64 arithmetic that gains from SIMD.
@@ -42,6 +44,7 @@ pub const SOLVER: Module = Module {
     quick_folder: QUICK_FOLDER,
     profile: "worker",
     is_restartable: false,
+    is_beside: true,
 };
 
 /// The viewer on WebGPU: its arithmetic is the GPU's.
@@ -56,6 +59,7 @@ pub const VIEWER_WEBGPU: Module = Module {
     quick_folder: "wasm-viewer-webgpu",
     profile: "viewer",
     is_restartable: true,
+    is_beside: true,
 };
 
 /// The same on WebGL2, for browsers without WebGPU.
@@ -89,6 +93,7 @@ pub const INTERIOR: Module = Module {
     quick_folder: SOLVER.quick_folder,
     profile: SOLVER.profile,
     is_restartable: false,
+    is_beside: true,
 };
 
 /// The readers of files, which the worker loads with the first of them.
@@ -99,7 +104,28 @@ pub const READER: Module =
 pub const MAKER: Module = Module { name: "maker", package: "heatwalk-maker", file: "heatwalk_maker", ..READER };
 
 /// Isolines and files of distances, which the worker loads where one is wanted.
-pub const CURVES: Module = Module { name: "curves", package: "heatwalk-curves", file: "heatwalk_curves", ..INTERIOR };
+pub const CURVES: Module = Module {
+    name: "curves",
+    package: "heatwalk-curves",
+    features: &["heatwalk-curves/page"],
+    file: "heatwalk_curves",
+    ..INTERIOR
+};
+
+/// The solver of the npm package.
+const NPM: Module = Module {
+    name: "package",
+    package: "heatwalk-npm",
+    file: "heatwalk_npm",
+    folder: "wasm-package",
+    profile: "npm",
+    is_beside: false,
+    ..INTERIOR
+};
+
+/// The modules of the npm package.
+pub const PACKAGE: [&Module; 2] =
+    [&NPM, &Module { name: "package-reader", package: READER.package, file: READER.file, is_restartable: true, ..NPM }];
 
 /// Modules that are compiled at once, so that what they share is compiled once; the one that the page begins with first.
 const TOGETHER: [&Module; 5] = [&SOLVER, &READER, &MAKER, &CURVES, &BASIS];
@@ -148,7 +174,7 @@ pub fn publish_all(toolchain: &Toolchain) -> Result<()> {
 }
 
 /// Compiles modules as they are published, and writes their bindings to `web/wasm/NAME`.
-fn publish(modules: &[&Module], toolchain: &Toolchain) -> Result<()> {
+pub fn publish(modules: &[&Module], toolchain: &Toolchain) -> Result<()> {
     let Some(Module { folder, flags, profile, .. }) = modules.first() else { return Ok(()) };
     for_group(cargo(toolchain, "build", folder, flags), modules, profile, &[])?;
     modules.iter().try_for_each(|module| bind(module, &module.compiled(folder, profile)))
@@ -169,7 +195,8 @@ pub fn build_all_quickly(toolchain: &Toolchain) -> Result<()> {
 /// Modules that are compiled at once where their size does not matter.
 fn quick_groups() -> impl Iterator<Item = Vec<&'static Module>> {
     let together = TOGETHER.into_iter().chain(APART).collect();
-    std::iter::once(together).chain(VIEWERS.iter().map(|viewer| viewer.to_vec()))
+    // That of the npm package has none of what the page asks of the same crates.
+    [together, PACKAGE.to_vec()].into_iter().chain(VIEWERS.iter().map(|viewer| viewer.to_vec()))
 }
 
 fn for_group(mut command: Command, modules: &[&Module], profile: &str, last: &[&str]) -> Result<()> {
@@ -194,6 +221,7 @@ fn bind(module: &Module, compiled: &Path) -> Result<()> {
         .typescript(true)
         .out_name(module.file)
         .reset_state_function(module.is_restartable)
+        .omit_default_module_path(!module.is_beside)
         .remove_name_section(true)
         .remove_producers_section(true)
         .generate(&folder)

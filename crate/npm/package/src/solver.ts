@@ -1,0 +1,6 @@
+import type { Packed } from './packed.ts';
+
+declare const PACKED_MODULE: Packed;
+
+/** The wasm module of the solver. */
+export default PACKED_MODULE;

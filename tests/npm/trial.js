@@ -1,0 +1,31 @@
+// What somebody does with the package; `heatwalk` is the entry that is tried.
+import { HeatwalkError, Mesh } from 'heatwalk';
+
+/** A square of two by two unit squares, in the plane. */
+const positions = Array.from({ length: 9 }, (_, vertex) => [vertex % 3, Math.floor(vertex / 3), 0]).flat();
+const indices = [0, 1, 3, 4].flatMap((corner) => [corner, corner + 1, corner + 4, corner, corner + 4, corner + 3]);
+const SQUARE = 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n';
+
+export async function tried() {
+  const mesh = await Mesh.from({ positions: Float32Array.from(positions), indices: Uint16Array.from(indices) });
+  const distances = Array.from(await mesh.distance(0));
+  const path = await mesh.path({ x: 2, y: 2, z: 0 }, 0);
+  const controller = new AbortController();
+  const ended = mesh.matrix(undefined, undefined, { signal: controller.signal }).catch((error) => error.name);
+  controller.abort();
+  const file = await Mesh.from(new TextEncoder().encode(SQUARE), { name: 'square.off', precision: 'float32' });
+  const single = await file.distance({ face: 0, weights: [0, 0, 1] });
+  const refused = await mesh.distance(9).catch((error) => [error instanceof HeatwalkError, error.code]);
+  const again = (await mesh.distance(8))[0];
+  mesh.dispose();
+  file.dispose();
+  return {
+    distances,
+    length: path.length,
+    ended: await ended,
+    polygons: file.report.polygons,
+    single: [single.constructor.name, single[0]],
+    refused,
+    again,
+  };
+}
