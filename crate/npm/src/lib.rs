@@ -3,6 +3,7 @@
 
 #![cfg(target_arch = "wasm32")]
 
+mod agents;
 mod curves;
 mod directions;
 mod distance;

@@ -27,7 +27,7 @@ impl Element for Home {
 
 /// A source, or a portal, in one of the faces that it lies on.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Arrival {
+pub(crate) struct Arrival {
     /// Barycentric.
     pub weights: [f64; 3],
     /// The distance of a portal, less than any before it; 0 for a source.
@@ -39,7 +39,7 @@ pub(super) struct Arrival {
 /// The sources of a distance, and the portals on the way to them, in the faces that they lie on, and the area that they can
 /// be reached from.
 #[derive(Debug, Clone)]
-pub(super) struct Homes {
+pub(crate) struct Homes {
     sources: Vec<Place>,
     crossings: Vec<PortalCrossing>,
     arrivals: Vec<Arrival>,

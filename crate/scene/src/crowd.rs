@@ -4,24 +4,20 @@
 //! Where it arrives a walker starts again elsewhere. So it does where nothing falls and no source is near (a minimum
 //! that heat made), and where its component of the surface has lost its last source.
 
-mod flow;
-mod homes;
-
 use std::sync::Arc;
 
 use glam::DVec3;
 
-use flow::{Flow, Place, combined};
 use heatwalk::Costs;
 use heatwalk::Distance;
 use heatwalk::FaceId;
 use heatwalk::Surface;
-use heatwalk::VertexData;
-use heatwalk::surface::triangle;
 use heatwalk::{Error, Result};
 use rand::SeedableRng;
 use rand_xoshiro::SplitMix64;
 
+use crate::flow::{Flow, Place};
+use crate::footing::{Footing, turned};
 use crate::transform::DrawTransform;
 
 /// Faces that a walker enters in one step at most: more than any step of some edges goes through, and so few that a
@@ -56,9 +52,7 @@ pub struct Walker {
 #[derive(Debug, Clone)]
 pub struct Crowd {
     surface: Arc<Surface>,
-    /// `#V`, position and normal of each vertex, the latter of unit length or zero where faces cancel. Walkers come to
-    /// vertices in no order, and find both in one place of memory.
-    footing: VertexData<[DVec3; 2]>,
+    footing: Footing,
     height: f64,
     count: usize,
     walkers: Vec<Walker>,
@@ -84,7 +78,7 @@ impl Crowd {
             return Err(Error::BadParameter { name: "the height of walkers", value, range: "positive and finite" });
         }
         let surface = surface.into();
-        let footing = footing(&surface);
+        let footing = Footing::new(&surface);
         let flow = Flow::new(&surface);
         Ok(Self {
             surface,
@@ -137,12 +131,7 @@ impl Crowd {
     /// [`Error::NoSource`] for a distance without sources; [`Error::Surface`] with `ForeignSurface` for a distance of another
     /// surface.
     pub fn follow(&mut self, distance: &Distance) -> Result<()> {
-        if distance.sources.is_empty() {
-            return Err(Error::NoSource);
-        }
-        self.surface.require_own(distance.surface(), "distance")?;
-        self.flow.follow(&self.surface, distance);
-        Ok(())
+        self.flow.follow(&self.surface, distance)
     }
 
     /// Takes the walkers along to the same surface in another pose, where each stays at its place. They wait there for a
@@ -154,12 +143,11 @@ impl Crowd {
         let to = to.into();
         to.require_pose_of(&self.surface, "crowd")?;
         let from = std::mem::replace(&mut self.surface, to);
-        self.footing = footing(&self.surface);
+        self.footing = Footing::new(&self.surface);
         self.flow = Flow::new(&self.surface);
-        let costs = self.costs.as_ref();
-        let ground = Ground { surface: &self.surface, flow: &self.flow, footing: &self.footing, costs, turn: 1.0 };
         for walker in &mut self.walkers {
-            let (position, upright) = ground.stand(Place { face: walker.face, weights: walker.weights });
+            let (position, upright) =
+                self.footing.stand(&self.surface, Place { face: walker.face, weights: walker.weights });
             let ahead = carried(walker.heading, from.corners(walker.face), self.surface.corners(walker.face));
             let heading = turned(DVec3::ZERO, ahead, upright, 1.0);
             *walker = Walker { position, upright, heading, ..*walker };
@@ -217,8 +205,7 @@ impl Crowd {
 struct Ground<'a> {
     surface: &'a Surface,
     flow: &'a Flow,
-    /// `#V`, position and normal.
-    footing: &'a VertexData<[DVec3; 2]>,
+    footing: &'a Footing,
     costs: Option<&'a Costs>,
     /// Share of a turn that a step makes.
     turn: f64,
@@ -246,7 +233,7 @@ impl Ground<'_> {
             left -= cost * leg.length;
             walked += leg.length;
         }
-        let (position, upright) = self.stand(place);
+        let (position, upright) = self.footing.stand(self.surface, place);
         let heading = turned(walker.heading, position - walker.position, upright, self.turn);
         let Place { face, weights } = place;
         Some(Walker { face, weights, position, upright, heading, arc: walker.arc + walked })
@@ -256,26 +243,11 @@ impl Ground<'_> {
     fn start(&self, random: &mut SplitMix64) -> Walker {
         let (face, weights) = self.flow.homes.random_place(random);
         let place = Place { face, weights };
-        let (position, upright) = self.stand(place);
+        let (position, upright) = self.footing.stand(self.surface, place);
         let ahead = self.flow.leg(self.surface, place).map_or(DVec3::ZERO, |leg| leg.vector(self.surface));
         let heading = turned(DVec3::ZERO, ahead, upright, 1.0);
         Walker { face, weights, position, upright, heading, arc: 0.0 }
     }
-
-    /// Position and upright at a place.
-    fn stand(&self, Place { face, weights }: Place) -> (DVec3, DVec3) {
-        let footing = self.surface.faces()[face].map(|vertex| self.footing[vertex]);
-        let corners = footing.map(|[position, _]| position);
-        let mean = combined(footing.map(|[_, normal]| normal), weights);
-        let is_above = mean.dot(triangle::area_vector(corners)) > 0.0;
-        let upright = if is_above { mean.normalize() } else { self.surface.face_normal(face) };
-        (combined(corners, weights), upright)
-    }
-}
-
-/// `#V`, position and normal.
-fn footing(surface: &Surface) -> VertexData<[DVec3; 2]> {
-    surface.vertices().map(|vertex| [surface.position(vertex), surface.vertex_normal(vertex)]).collect()
 }
 
 /// A vector along a triangle after the affine map that takes its corners to others.
@@ -285,21 +257,4 @@ fn carried(vector: DVec3, from: [DVec3; 3], [p, q, r]: [DVec3; 3]) -> DVec3 {
     let scale = normal.length_squared().recip();
     let [along_b, along_c] = [vector.cross(c).dot(normal), b.cross(vector).dot(normal)];
     (scale * along_b) * (q - p) + (scale * along_c) * (r - p)
-}
-
-/// The heading after a share of the turn to a direction, both laid at right angles to `upright`.
-fn turned(heading: DVec3, direction: DVec3, upright: DVec3, share: f64) -> DVec3 {
-    let laid = |vector: DVec3| vector - upright * upright.dot(vector);
-    let (heading, direction) = (laid(heading), laid(direction).normalize_or_zero());
-    // The mean with a direction behind would hardly turn, or vanish: first to the side.
-    let goal = if heading.dot(direction) < 0.0 {
-        let left = upright.cross(heading);
-        if left.dot(direction) < 0.0 { -left } else { left }
-    } else if direction == DVec3::ZERO {
-        heading
-    } else {
-        direction
-    };
-    // Laid again, for a vector along the normal leaves nothing but rounding.
-    laid(heading + (goal - heading) * share).try_normalize().unwrap_or_else(|| upright.any_orthonormal_vector())
 }

@@ -1,18 +1,20 @@
 //! The descent of a distance from any point of the surface, leg by leg.
 
-use glam::DVec3;
+mod homes;
 
-use super::homes::{Arrival, Homes};
+use glam::DVec3;
 use heatwalk::Distance;
 use heatwalk::SNAP;
 use heatwalk::Surface;
 use heatwalk::path::descent::{DescentDirection, leaves};
 use heatwalk::surface::triangle;
-use heatwalk::{FaceData, FaceId, VertexData};
+use heatwalk::{Error, FaceData, FaceId, Result, VertexData};
+
+use homes::{Arrival, Homes};
 
 /// A point of the surface in one of the faces that it lies on. Weights that are exactly 0 tell edges and vertices.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
+pub(crate) struct Place {
     pub face: FaceId,
     /// Barycentric, non-negative, of sum 1.
     pub weights: [f64; 3],
@@ -25,13 +27,13 @@ impl Place {
 }
 
 /// The sum of vectors at the corners of a triangle with these weights.
-pub(super) fn combined([p, q, r]: [DVec3; 3], [a, b, c]: [f64; 3]) -> DVec3 {
+pub(crate) fn combined([p, q, r]: [DVec3; 3], [a, b, c]: [f64; 3]) -> DVec3 {
     p * a + q * b + r * c
 }
 
 /// A straight segment of a descent, in one face.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Leg {
+pub(crate) struct Leg {
     pub from: Place,
     to: [f64; 3],
     /// In the file's unit.
@@ -59,6 +61,11 @@ impl Leg {
         self.leads_to.unwrap_or(Place { weights: self.to, ..self.from })
     }
 
+    /// Whether it ends at a portal, beyond which the way goes on.
+    pub fn leads_on(&self) -> bool {
+        self.leads_to.is_some()
+    }
+
     /// The point at a share of the way.
     pub fn at(&self, share: f64) -> Place {
         let weights = [0, 1, 2].map(|k| self.from.weights[k] * (1.0 - share) + self.to[k] * share);
@@ -68,7 +75,7 @@ impl Leg {
 
 /// A distance, made ready to be walked down.
 #[derive(Debug, Clone)]
-pub(super) struct Flow {
+pub(crate) struct Flow {
     /// `#F × 3`, rates at which the barycentric weights change for each length walked down the steepest descent; zero
     /// where the distance is constant or infinite.
     rates: FaceData<[f64; 3]>,
@@ -87,10 +94,20 @@ impl Flow {
         self.values.is_empty()
     }
 
-    pub fn follow(&mut self, surface: &Surface, distance: &Distance) {
+    /// Descends this distance from now on.
+    ///
+    /// # Errors
+    /// [`Error::NoSource`] for a distance without sources; [`Error::Surface`] with `ForeignSurface` for a distance of another
+    /// surface.
+    pub fn follow(&mut self, surface: &Surface, distance: &Distance) -> Result<()> {
+        if distance.sources.is_empty() {
+            return Err(Error::NoSource);
+        }
+        surface.require_own(distance.surface(), "distance")?;
         self.homes.follow(surface, distance);
         self.values.clone_from(&distance.values);
         self.rates = surface.mesh().faces().map(|face| self.descent(surface, face).rates_by_length()).collect();
+        Ok(())
     }
 
     fn descent(&self, surface: &Surface, face: FaceId) -> DescentDirection {

@@ -1,0 +1,136 @@
+//! Agents on a mesh.
+
+use glam::{DMat4, DVec3};
+use heatwalk_bindings::{Failure, Message, Result, reporter};
+use heatwalk_scene::{Agent, Obstacle};
+use js_sys::{Function, Object};
+use wasm_bindgen::prelude::*;
+
+use crate::distance::without;
+use crate::mesh::Mesh;
+use crate::options::distance_options;
+use crate::vectors::require_one_each;
+
+/// Numbers of an obstacle: its center, its velocity, its radius.
+const PER_OBSTACLE: usize = 7;
+
+/// Agents that go down one distance and make way for each other.
+#[wasm_bindgen]
+pub struct Agents(heatwalk_scene::Agents);
+
+/// Where agents are, in the order in which they were added.
+#[derive(Message)]
+pub struct AgentPoses {
+    /// Three coordinates of each.
+    pub positions: Vec<f32>,
+    /// Quaternions x, y, z, w: from a model that stands along y and looks along −z.
+    pub orientations: Vec<f32>,
+    /// Both as a matrix of 16 numbers, column after column.
+    pub matrices: Vec<f32>,
+    /// Three of each, in the unit of positions a second.
+    pub velocities: Vec<f32>,
+    /// The numbers of those that touch a source.
+    pub arrived: Vec<u32>,
+}
+
+#[wasm_bindgen]
+impl Mesh {
+    /// Without any yet.
+    pub fn agents(&self) -> Agents {
+        Agents(heatwalk_scene::Agents::new(self.surface().clone()))
+    }
+
+    /// Adds agents at places, each with a radius and a speed.
+    pub fn add_agents(&self, agents: &mut Agents, places: &[f64], radii: &[f64], speeds: &[f64]) -> Result<()> {
+        let points = self.points(places)?;
+        require_one_each(points.len(), radii.len(), "radii")?;
+        require_one_each(points.len(), speeds.len(), "speeds")?;
+        for (k, point) in points.iter().enumerate() {
+            agents.0.add(point, radii[k], speeds[k])?;
+        }
+        Ok(())
+    }
+
+    /// Puts agents elsewhere.
+    pub fn put_agents(&self, agents: &mut Agents, numbers: &[u32], places: &[f64]) -> Result<()> {
+        let points = self.points(places)?;
+        require_one_each(points.len(), numbers.len(), "numbers of agents")?;
+        for (&number, point) in numbers.iter().zip(&points) {
+            agents.require(number)?;
+            agents.0.put(number as usize, point);
+        }
+        Ok(())
+    }
+
+    /// Sends agents to the nearest source.
+    pub fn lead_agents(
+        &self,
+        agents: &mut Agents,
+        sources: &[f64],
+        options: &Object,
+        progress: &Function,
+    ) -> Result<()> {
+        let (sources, options) = (self.sources(sources, options)?, distance_options(&without(options, "initial"))?);
+        self.with_solver(|solver| {
+            let answer = solver.distance(&sources, &options, &mut reporter(progress))?;
+            Ok(agents.0.follow(&answer.distance, solver.costs())?)
+        })
+    }
+}
+
+#[wasm_bindgen]
+impl Agents {
+    /// Takes agents away; those behind move up.
+    pub fn remove(&mut self, numbers: &[u32]) -> Result<()> {
+        numbers.iter().try_for_each(|&number| self.require(number))?;
+        let mut gone = vec![false; self.0.agents().len()];
+        for &number in numbers {
+            gone[number as usize] = true;
+        }
+        self.0.retain(|number| !gone[number]);
+        Ok(())
+    }
+
+    /// What they make way for: of each obstacle three coordinates, three of its velocity, and its radius.
+    pub fn set_obstacles(&mut self, numbers: &[f64]) -> Result<()> {
+        let is_bad = |&[.., radius]: &[f64; PER_OBSTACLE]| !(radius >= 0.0);
+        if numbers.iter().any(|number| !number.is_finite()) || numbers.as_chunks().0.iter().any(is_bad) {
+            return Err(Failure::of("not-finite", "an obstacle has a number that is not finite, or a negative radius"));
+        }
+        let obstacle = |&[x, y, z, u, v, w, radius]: &[f64; PER_OBSTACLE]| Obstacle {
+            position: DVec3::new(x, y, z),
+            velocity: DVec3::new(u, v, w),
+            radius,
+        };
+        self.0.set_obstacles(numbers.as_chunks().0.iter().map(obstacle).collect());
+        Ok(())
+    }
+
+    /// Moves them by so many seconds; tells where they are then.
+    pub fn update(&mut self, seconds: f64) -> Result<AgentPoses> {
+        self.0.update(seconds)?;
+        let agents = self.0.agents();
+        let vector = |of: fn(&Agent) -> DVec3| agents.iter().flat_map(|agent| of(agent).as_vec3().to_array()).collect();
+        let turned: Vec<_> = agents.iter().map(|agent| (agent.orientation(), agent.position)).collect();
+        let matrix = |&(turn, at)| DMat4::from_rotation_translation(turn, at).as_mat4().to_cols_array();
+        let arrived = agents.iter().enumerate().filter(|(_, agent)| agent.has_arrived);
+        Ok(AgentPoses {
+            positions: vector(|agent| agent.position),
+            orientations: turned.iter().flat_map(|(turn, _)| turn.as_quat().to_array()).collect(),
+            matrices: turned.iter().flat_map(matrix).collect(),
+            velocities: vector(|agent| agent.velocity),
+            arrived: arrived.map(|(number, _)| number as u32).collect(),
+        })
+    }
+}
+
+impl Agents {
+    fn require(&self, number: u32) -> Result<()> {
+        let count = self.0.agents().len();
+        if (number as usize) < count {
+            return Ok(());
+        }
+        let sentence = format!("there is no agent {number}; there are {count}, counted from 0");
+        Err(Failure::of("no-such-agent", &sentence))
+    }
+}

@@ -1,0 +1,334 @@
+//! Agents that go down one distance, each with its radius and speed, and make way for each other and for obstacles: as people do who see
+//! how soon they would meet.
+//!
+//! Each accelerates to its speed down the distance, and away from those that it would meet, by the force that Karamouzas, Skinner and Guy
+//! measured in crowds (A universal power law governing pedestrian interactions, 2014, equation 4): that of an energy k / τ² e^(−τ / τ₀) of the
+//! time τ to the meeting. What overlaps all the same is moved apart. Directions between agents are taken in the tangent plane, so
+//! radii should be small against bends of the surface.
+
+mod grid;
+mod slide;
+
+use std::sync::Arc;
+
+use glam::{DMat3, DQuat, DVec3};
+use heatwalk::{Costs, Distance, Error, FaceId, Result, Surface, SurfacePoint};
+
+use crate::flow::{Flow, Place};
+use crate::footing::{Footing, turned};
+use grid::Grid;
+use slide::slid;
+
+/// Strength of the force between agents, for lengths in radii and seconds.
+const STRENGTH: f64 = 20.0;
+/// τ₀, seconds after which a meeting counts little.
+const FORESIGHT: f64 = 2.0;
+/// Seconds in which an agent comes to its speed.
+const REACTION: f64 = 0.4;
+/// An agent accelerates by no more than so many times its speed in a second.
+const AGILITY: f64 = 8.0;
+/// How far to its left an agent takes others to be, in radii of both: of two that would meet head on neither would turn, else.
+const LEFT: f64 = 0.1;
+/// Radians between the directions in which agents at one place come apart: never those of two others.
+const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
+/// How far agents look, in radii of the largest beside their own way.
+const SIGHT: f64 = 6.0;
+/// Steps after which agents are put in order of their faces again.
+const ORDERED_FOR: usize = 16;
+
+/// Someone on the way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Agent {
+    /// A face that it stands on.
+    pub face: FaceId,
+    /// Where in that face: barycentric weights, non-negative, of sum 1.
+    pub weights: [f64; 3],
+    /// The same place, in the file's unit.
+    pub position: DVec3,
+    /// In the file's unit a second, along the surface.
+    pub velocity: DVec3,
+    /// Unit normal there.
+    pub upright: DVec3,
+    /// Unit vector at right angles to `upright`, in which it looks.
+    pub heading: DVec3,
+    /// In the file's unit.
+    pub radius: f64,
+    /// In the file's unit a second, where a unit of length costs 1.
+    pub speed: f64,
+    /// Whether it touches a source.
+    pub has_arrived: bool,
+}
+
+impl Agent {
+    /// The turn that takes x to its right, y upward and z backward, as models of glTF stand.
+    #[must_use]
+    pub fn orientation(&self) -> DQuat {
+        let back = -self.heading;
+        DQuat::from_mat3(&DMat3::from_cols(self.upright.cross(back), self.upright, back))
+    }
+}
+
+/// What agents make way for: a ball in space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Obstacle {
+    /// Its center, in the file's unit.
+    pub position: DVec3,
+    /// In the file's unit a second.
+    pub velocity: DVec3,
+    /// In the file's unit.
+    pub radius: f64,
+}
+
+/// Agents on a surface.
+#[derive(Debug, Clone)]
+pub struct Agents {
+    surface: Arc<Surface>,
+    footing: Footing,
+    flow: Flow,
+    costs: Option<Costs>,
+    agents: Vec<Agent>,
+    obstacles: Vec<Obstacle>,
+    /// The agents by face, as they stood up to [`ORDERED_FOR`] steps ago: most of what one needs was just used by the one before.
+    order: Vec<u32>,
+    steps: usize,
+    grid: Grid,
+    obstacle_grid: Grid,
+    /// Of each agent, for the next step.
+    moves: Vec<Move>,
+}
+
+/// What an agent is about to do.
+#[derive(Debug, Clone, Copy, Default)]
+struct Move {
+    velocity: DVec3,
+    /// Out of what it overlaps.
+    apart: DVec3,
+}
+
+/// What an agent sees of another, or of an obstacle.
+struct Other {
+    position: DVec3,
+    velocity: DVec3,
+    radius: f64,
+    /// Of an overlap, what is the agent's to give way.
+    share: f64,
+}
+
+impl Agents {
+    /// Without any yet.
+    #[must_use]
+    pub fn new(surface: impl Into<Arc<Surface>>) -> Self {
+        let surface = surface.into();
+        let (footing, flow) = (Footing::new(&surface), Flow::new(&surface));
+        Self {
+            surface,
+            footing,
+            flow,
+            costs: None,
+            agents: Vec::new(),
+            obstacles: Vec::new(),
+            order: Vec::new(),
+            steps: 0,
+            grid: Grid::default(),
+            obstacle_grid: Grid::default(),
+            moves: Vec::new(),
+        }
+    }
+
+    /// All of them, in the order in which they were added.
+    #[must_use]
+    pub fn agents(&self) -> &[Agent] {
+        &self.agents
+    }
+
+    /// Adds one, with a radius in the file's unit and a speed in that a second; gives its number.
+    ///
+    /// # Errors
+    /// [`Error::BadParameter`] for a radius that is not positive and finite, and a speed that is negative or not finite.
+    pub fn add(&mut self, point: &SurfacePoint, radius: f64, speed: f64) -> Result<usize> {
+        let bad = |name, value: f64, range| Error::BadParameter { name, value: value.to_string(), range };
+        if !(radius > 0.0 && radius.is_finite()) {
+            return Err(bad("the radius of an agent", radius, "positive and finite"));
+        }
+        if !(speed >= 0.0 && speed.is_finite()) {
+            return Err(bad("the speed of an agent", speed, "0 or more, and finite"));
+        }
+        let (face, weights) = self.on_face(point);
+        let (position, upright) = self.footing.stand(&self.surface, Place { face, weights });
+        let ahead = self.ahead(Place { face, weights });
+        let heading = turned(DVec3::ZERO, ahead, upright, 1.0);
+        let (velocity, has_arrived) = (DVec3::ZERO, false);
+        self.agents.push(Agent { face, weights, position, velocity, upright, heading, radius, speed, has_arrived });
+        Ok(self.agents.len() - 1)
+    }
+
+    /// Puts an agent elsewhere, where it stands still.
+    ///
+    /// # Panics
+    /// For a number that none has.
+    pub fn put(&mut self, number: usize, point: &SurfacePoint) {
+        let (face, weights) = self.on_face(point);
+        let (position, upright) = self.footing.stand(&self.surface, Place { face, weights });
+        let Agent { heading, radius, speed, .. } = self.agents[number];
+        let heading = turned(heading, heading, upright, 1.0);
+        let (velocity, has_arrived) = (DVec3::ZERO, false);
+        self.agents[number] = Agent { face, weights, position, velocity, upright, heading, radius, speed, has_arrived };
+    }
+
+    /// Takes all agents away that are not wanted; those behind move up.
+    pub fn retain(&mut self, mut is_wanted: impl FnMut(usize) -> bool) {
+        let mut number = 0..;
+        self.agents.retain(|_| number.next().is_some_and(&mut is_wanted));
+    }
+
+    /// Sends them down a distance, from where they are, slower where a unit of length costs more.
+    ///
+    /// # Errors
+    /// [`Error::NoSource`] for a distance without sources; [`Error::Surface`] with `ForeignSurface` for a distance of another surface.
+    pub fn follow(&mut self, distance: &Distance, costs: Option<&Costs>) -> Result<()> {
+        self.flow.follow(&self.surface, distance)?;
+        self.costs = costs.cloned();
+        Ok(())
+    }
+
+    /// What they make way for from now on, beside each other.
+    pub fn set_obstacles(&mut self, obstacles: Vec<Obstacle>) {
+        self.obstacles = obstacles;
+    }
+
+    /// Moves all of them by so many seconds.
+    ///
+    /// # Errors
+    /// [`Error::BadParameter`] for a time that is negative or not finite.
+    pub fn update(&mut self, seconds: f64) -> Result<()> {
+        if !(seconds >= 0.0 && seconds.is_finite()) {
+            let value = seconds.to_string();
+            return Err(Error::BadParameter { name: "the time of a step", value, range: "0 or more, and finite" });
+        }
+        if self.steps.is_multiple_of(ORDERED_FOR) || self.order.len() != self.agents.len() {
+            self.order = (0..self.agents.len() as u32).collect();
+            self.order.sort_by_cached_key(|&agent| self.agents[agent as usize].face);
+            self.steps = 0;
+        }
+        self.steps += 1;
+        let largest = self.agents.iter().map(|agent| agent.radius).fold(0.0, f64::max);
+        let positions: Vec<DVec3> = self.agents.iter().map(|agent| agent.position).collect();
+        self.grid.sort(&positions, SIGHT * largest);
+        let widest = self.obstacles.iter().map(|obstacle| obstacle.radius).fold(0.0, f64::max);
+        let centers: Vec<DVec3> = self.obstacles.iter().map(|obstacle| obstacle.position).collect();
+        self.obstacle_grid.sort(&centers, SIGHT * largest + widest);
+        self.moves.resize(self.agents.len(), Move::default());
+        for &agent in &self.order {
+            self.moves[agent as usize] = self.decided(agent as usize, seconds);
+        }
+        for k in 0..self.order.len() {
+            let number = self.order[k] as usize;
+            self.agents[number] = self.moved(self.agents[number], self.moves[number], seconds);
+        }
+        Ok(())
+    }
+
+    /// What an agent does with all others as they are.
+    fn decided(&self, number: usize, seconds: f64) -> Move {
+        let agent = &self.agents[number];
+        let wanted = if agent.has_arrived { DVec3::ZERO } else { self.wanted(agent) };
+        let mut force = (wanted - agent.velocity) / REACTION;
+        let mut apart = DVec3::ZERO;
+        let mut meet = |other: &Other| {
+            let (pushed, moved) = met(agent, number, other);
+            force += pushed;
+            apart += moved;
+        };
+        self.grid.for_each_near(agent.position, |near| {
+            let other = &self.agents[near];
+            // Those on the other side of a sheet are near in space alone.
+            if near != number && other.upright.dot(agent.upright) > 0.0 {
+                let Agent { position, velocity, radius, .. } = *other;
+                meet(&Other { position, velocity, radius, share: 0.5 });
+            }
+        });
+        self.obstacle_grid.for_each_near(agent.position, |near| {
+            let Obstacle { position, velocity, radius } = self.obstacles[near];
+            meet(&Other { position, velocity, radius, share: 1.0 });
+        });
+        let force = force.clamp_length_max(AGILITY * agent.speed);
+        let velocity = (agent.velocity + force * seconds).clamp_length_max(agent.speed);
+        Move { velocity, apart: apart.clamp_length_max(agent.radius) }
+    }
+
+    /// The velocity that an agent would have by itself.
+    fn wanted(&self, agent: &Agent) -> DVec3 {
+        let ahead = self.ahead(Place { face: agent.face, weights: agent.weights });
+        let cost = self.costs.as_ref().map_or(1.0, |costs| costs.of(agent.face));
+        ahead.normalize_or_zero() * (agent.speed / cost)
+    }
+
+    /// Along the way down, of any length; zero where there is none.
+    fn ahead(&self, place: Place) -> DVec3 {
+        let leg = if self.flow.is_empty() { None } else { self.flow.leg(&self.surface, place) };
+        leg.map_or(DVec3::ZERO, |leg| leg.vector(&self.surface))
+    }
+
+    fn moved(&self, agent: Agent, Move { velocity, apart }: Move, seconds: f64) -> Agent {
+        let surface: &Surface = &self.surface;
+        let mut place = Place { face: agent.face, weights: agent.weights };
+        let mut step = velocity * seconds;
+        let mut has_arrived = false;
+        let leg = if self.flow.is_empty() { None } else { self.flow.leg(surface, place) };
+        if let Some(leg) = leg {
+            has_arrived = leg.is_last && leg.length <= agent.radius;
+            // From the face that the way down begins in, where it leads over a portal from behind that.
+            place = leg.from;
+            if leg.leads_on() && leg.length <= step.length() {
+                place = leg.end();
+                step *= 1.0 - leg.length / step.length();
+            }
+        }
+        let place = slid(surface, place, step + apart);
+        let (position, upright) = self.footing.stand(surface, place);
+        let along = |vector: DVec3| vector - upright * upright.dot(vector);
+        let velocity = along(velocity).normalize_or_zero() * velocity.length();
+        let share = -(-velocity.length() * seconds / (2.0 * agent.radius)).exp_m1();
+        let heading = turned(agent.heading, velocity, upright, share);
+        let Place { face, weights } = place;
+        Agent { face, weights, position, velocity, upright, heading, has_arrived, ..agent }
+    }
+
+    fn on_face(&self, point: &SurfacePoint) -> (FaceId, [f64; 3]) {
+        let place = point.place();
+        let face = place.faces(&self.surface)[0];
+        (face, place.weights_in(&self.surface, face))
+    }
+}
+
+/// The acceleration of an agent, which has this number, by another, and how far it moves out of it.
+fn met(agent: &Agent, number: usize, other: &Other) -> (DVec3, DVec3) {
+    let laid = |vector: DVec3| vector - agent.upright * agent.upright.dot(vector);
+    let away = other.position - agent.position;
+    let reach = agent.radius + other.radius;
+    let ahead = laid(away);
+    let distance_squared = ahead.length_squared();
+    // Above or below by more than both are wide.
+    if away.length_squared() - distance_squared > reach * reach {
+        return (DVec3::ZERO, DVec3::ZERO);
+    }
+    if distance_squared < reach * reach {
+        let distance = distance_squared.sqrt();
+        let at_one_place = || DQuat::from_axis_angle(agent.upright, GOLDEN_ANGLE * number as f64) * agent.heading;
+        let direction = ahead.try_normalize().unwrap_or_else(at_one_place);
+        return (DVec3::ZERO, -direction * (other.share * (reach - distance)));
+    }
+    let toward = laid(agent.velocity - other.velocity);
+    let ahead = ahead + LEFT * reach * agent.upright.cross(agent.heading);
+    let [a, b, c] = [toward.length_squared(), ahead.dot(toward), ahead.length_squared() - reach * reach];
+    let discriminant = b * b - a * c;
+    if b <= 0.0 || discriminant <= 0.0 {
+        return (DVec3::ZERO, DVec3::ZERO);
+    }
+    let root = discriminant.sqrt();
+    let time = (b - root) / a;
+    // The gradient of the energy by the position, in radii for lengths.
+    let strength = STRENGTH * agent.radius * agent.radius * (-time / FORESIGHT).exp() / (a * time * time);
+    let gradient = toward - (b * toward - a * ahead) / root;
+    (-strength * (2.0 / time + 1.0 / FORESIGHT) * gradient, DVec3::ZERO)
+}
