@@ -25,6 +25,9 @@ const EXPECTED = {
   single: ['Float32Array', Math.fround(Math.SQRT2)],
   refused: [true, 'no-such-vertex'],
   again: Math.sqrt(8),
+  start: [2, 2, 0, 2, 1, 0],
+  matrices: 32,
+  lost: 'no-such-agent',
 };
 
 const folder = installed();

@@ -17,6 +17,13 @@ export async function tried() {
   const single = await file.distance({ face: 0, weights: [0, 0, 1] });
   const refused = await mesh.distance(9).catch((error) => [error instanceof HeatwalkError, error.code]);
   const again = (await mesh.distance(8))[0];
+  const agents = mesh.agents();
+  await agents.add([8, { x: 2, y: 1, z: 0 }], 0.05, [1, 0.5]);
+  await agents.follow(0);
+  let poses = await agents.update(0);
+  const start = Array.from(poses.positions);
+  while (poses.arrived.length < 2) poses = await agents.update(1 / 30);
+  const lost = await agents.put([2], 0).catch((error) => error.code);
   mesh.dispose();
   file.dispose();
   return {
@@ -27,5 +34,8 @@ export async function tried() {
     single: [single.constructor.name, single[0]],
     refused,
     again,
+    start,
+    matrices: poses.matrices.length,
+    lost,
   };
 }

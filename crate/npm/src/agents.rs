@@ -29,7 +29,7 @@ pub struct AgentPoses {
     pub matrices: Vec<f32>,
     /// Three of each, in the unit of positions a second.
     pub velocities: Vec<f32>,
-    /// The numbers of those that touch a source.
+    /// The numbers of those that touch a source, or one that has arrived and is nearer to it.
     pub arrived: Vec<u32>,
 }
 

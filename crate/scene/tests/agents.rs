@@ -100,10 +100,27 @@ fn many_at_one_place_come_apart() {
         agents.update(FRAME).unwrap();
         check(&surface, &agents);
     }
+    apart(&agents);
+    // They come to rest around the source.
+    for _ in 0..600 {
+        agents.update(FRAME).unwrap();
+    }
+    apart(&agents);
+    assert!(agents.agents().iter().all(|agent| agent.has_arrived && agent.position.length() < 0.5));
+    // Where those in front are gone, the others go on.
+    let nearest = agents.agents().iter().map(|agent| agent.left).fold(f64::INFINITY, f64::min);
+    let front: Vec<bool> = agents.agents().iter().map(|agent| agent.left < nearest + 0.05).collect();
+    agents.retain(|number| !front[number]);
+    agents.update(FRAME).unwrap();
+    assert!(agents.agents().iter().any(|agent| !agent.has_arrived));
+}
+
+/// No two agents, of radius 0.02, lie half within each other.
+fn apart(agents: &Agents) {
     let positions: Vec<DVec3> = agents.agents().iter().map(|agent| agent.position).collect();
     for (k, a) in positions.iter().enumerate() {
         for b in &positions[..k] {
-            assert!(a.distance(*b) > 0.03, "{a} {b}");
+            assert!(a.distance(*b) > 0.02, "{a} {b}");
         }
     }
 }

@@ -7,6 +7,7 @@ import { type Port, spawn } from './spawn.ts';
 interface Job {
   method: string;
   args: unknown[];
+  agents: number | undefined;
   progress: QueryOptions['progress'];
   settle(error: unknown, value?: unknown): void;
 }
@@ -27,8 +28,8 @@ export class Connection {
     this.#opening = opening;
   }
 
-  /** The answer of a method of the module's mesh. */
-  ask(method: string, args: unknown[], { signal, progress }: QueryOptions = {}): Promise<unknown> {
+  /** The answer of a method of the module's mesh, or of agents on it. */
+  ask(method: string, args: unknown[], { signal, progress }: QueryOptions = {}, agents?: number): Promise<unknown> {
     return new Promise((resolve, reject) => {
       if (this.#isDisposed) return reject(disposed());
       if (signal?.aborted) return reject(signal.reason);
@@ -39,6 +40,7 @@ export class Connection {
       const job: Job = {
         method,
         args,
+        agents,
         progress,
         settle: (error, value) => {
           signal?.removeEventListener('abort', abort);
@@ -66,7 +68,7 @@ export class Connection {
     const job = (this.#running = this.#waiting.shift());
     if (!job) return;
     const id = ++this.#last;
-    const question: Question = { id, method: job.method, args: job.args };
+    const question: Question = { id, method: job.method, args: job.args, agents: job.agents };
     try {
       if (!this.#port) {
         question.opening = { modules: await modules('bytes' in this.#opening), mesh: this.#opening };

@@ -1,3 +1,4 @@
+export { type AgentPoses, Agents, type Obstacle } from './agents.ts';
 export type * from './answers.ts';
 export { HeatwalkError } from './errors.ts';
 export { init, Mesh, type Source } from './mesh.ts';

@@ -12,7 +12,9 @@ import type {
   Snapped,
   Walk,
 } from './answers.ts';
+import { Agents } from './agents.ts';
 import { floats, integers } from './arrays.ts';
+import { withInitial } from './initial.ts';
 import { Connection } from './connection.ts';
 import { HeatwalkError } from './errors.ts';
 import type { Opening } from './messages.ts';
@@ -228,6 +230,11 @@ export class Mesh<F extends Floats = Float64Array> {
     return this.#ask('mean', [places, each], options);
   }
 
+  /** Agents that walk on it, none yet. */
+  agents(): Agents {
+    return new Agents(this.#connection);
+  }
+
   /** Gives its memory back; what waits for an answer is rejected. */
   dispose() {
     this.#connection.dispose();
@@ -246,11 +253,6 @@ export class Mesh<F extends Floats = Float64Array> {
   #ask<T>(method: string, args: unknown[], options?: QueryOptions): Promise<T> {
     return this.#connection.ask(method, args, options) as Promise<T>;
   }
-}
-
-/** Options with the distances that sources start from as an array. */
-function withInitial<O extends { initial?: ArrayLike<number> | undefined }>(options: O): O {
-  return options.initial ? { ...options, initial: floats(options.initial, 'initial distances') } : options;
 }
 
 async function given(source: Source, { name, resources, ...options }: FileOptions): Promise<Omit<Opening, 'isSingle'> & Opening> {

@@ -15,6 +15,8 @@ export interface Question {
   id: number;
   method: string;
   args: unknown[];
+  /** The group of agents that it is about. */
+  agents?: number | undefined;
   /** With the first question: what mesh to make before it is answered. */
   opening?: { modules: Modules; mesh: Opening };
 }

@@ -1,4 +1,4 @@
-import { initSync, Mesh } from '../../../../web/wasm/package/heatwalk_npm.js';
+import { type Agents, initSync, Mesh } from '../../../../web/wasm/package/heatwalk_npm.js';
 import * as reader from '../../../../web/wasm/package-reader/heatwalk_reader.js';
 import type { Question, Told } from './messages.ts';
 import { builtin } from './spawn.ts';
@@ -12,6 +12,7 @@ interface NodePort {
 
 let mesh: Mesh | undefined;
 let isSingle = false;
+const groups = new Map<number, Agents>();
 const tell = connected();
 
 /** Hears questions from now on; gives what tells answers. */
@@ -25,7 +26,8 @@ function connected(): (message: Told, transfer?: ArrayBufferLike[]) => void {
   return (message, transfer) => parentPort.postMessage(message, transfer);
 }
 
-function answer({ id, method, args, opening }: Question) {
+function answer(question: Question) {
+  const { id, opening } = question;
   const progress = (stage: string, fraction: number) => tell({ id, fraction, stage });
   try {
     if (opening) {
@@ -33,7 +35,7 @@ function answer({ id, method, args, opening }: Question) {
       isSingle = opening.mesh.isSingle;
     }
     if (!mesh) throw new Error('a question came before the mesh');
-    const value = method === 'matrix' ? matrix(mesh, args, progress) : (mesh as unknown as Record<string, Method>)[method]?.(...args, progress);
+    const value = answered(mesh, question, progress);
     const told = isSingle ? single(value) : value;
     tell({ id, value: told }, buffers(told));
   } catch (error) {
@@ -54,8 +56,32 @@ function opened({ modules, mesh: opening }: NonNullable<Question['opening']>): M
   return Mesh.of_packed(packed, options);
 }
 
+type Tell = (stage: string, fraction: number) => void;
+
+function answered(of: Mesh, { method, args, agents }: Question, progress: Tell): unknown {
+  if (agents !== undefined) return answeredBy(agents, of, method, args, progress);
+  return method === 'matrix' ? matrix(of, args, progress) : called(of, method, [...args, progress]);
+}
+
+/** Of agents: what the mesh has to do with it is a method of the mesh, and all else one of theirs. */
+function answeredBy(number: number, of: Mesh, method: string, args: unknown[], progress: Tell): unknown {
+  if (method === 'begin') return void groups.set(number, of.agents());
+  const agents = groups.get(number);
+  if (!agents) {
+    // A worker that came after knows nothing of them.
+    throw Object.assign(new Error('the agents are gone with the worker; make others'), { name: 'no-agents' });
+  }
+  if (method === 'end') {
+    groups.delete(number);
+    return agents.free();
+  }
+  return method in agents ? called(agents, method, args) : called(of, method, [agents, ...args, progress]);
+}
+
+const called = (of: object, method: string, args: unknown[]) => (of as Record<string, Method>)[method]?.(...args);
+
 /** Rows in the type that answers have, so that none is there twice. */
-function matrix(of: Mesh, [sources, targets, options]: unknown[], progress: (stage: string, fraction: number) => void) {
+function matrix(of: Mesh, [sources, targets, options]: unknown[], progress: Tell) {
   const rows = (sources as Float64Array).length / 5;
   const columns = (targets as Uint32Array).length;
   const data = isSingle ? new Float32Array(rows * columns) : new Float64Array(rows * columns);

@@ -31,6 +31,8 @@ const AGILITY: f64 = 8.0;
 const LEFT: f64 = 0.1;
 /// Radians between the directions in which agents at one place come apart: never those of two others.
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
+/// Two touch that are so many times as far apart as their radii are long, and go on to do so up to the second of these.
+const TOUCH: [f64; 2] = [1.25, 2.0];
 /// How far agents look, in radii of the largest beside their own way.
 const SIGHT: f64 = 6.0;
 /// Steps after which agents are put in order of their faces again.
@@ -55,7 +57,9 @@ pub struct Agent {
     pub radius: f64,
     /// In the file's unit a second, where a unit of length costs 1.
     pub speed: f64,
-    /// Whether it touches a source.
+    /// How far the nearest source is; infinite where there is none.
+    pub left: f64,
+    /// Whether it touches a source, or one that has arrived and is nearer to it.
     pub has_arrived: bool,
 }
 
@@ -103,6 +107,8 @@ struct Move {
     velocity: DVec3,
     /// Out of what it overlaps.
     apart: DVec3,
+    /// Whether it touches one nearer to the source that has arrived.
+    is_behind: bool,
 }
 
 /// What an agent sees of another, or of an obstacle.
@@ -157,8 +163,19 @@ impl Agents {
         let (position, upright) = self.footing.stand(&self.surface, Place { face, weights });
         let ahead = self.ahead(Place { face, weights });
         let heading = turned(DVec3::ZERO, ahead, upright, 1.0);
-        let (velocity, has_arrived) = (DVec3::ZERO, false);
-        self.agents.push(Agent { face, weights, position, velocity, upright, heading, radius, speed, has_arrived });
+        let (velocity, left, has_arrived) = (DVec3::ZERO, f64::INFINITY, false);
+        self.agents.push(Agent {
+            face,
+            weights,
+            position,
+            velocity,
+            upright,
+            heading,
+            radius,
+            speed,
+            left,
+            has_arrived,
+        });
         Ok(self.agents.len() - 1)
     }
 
@@ -169,10 +186,10 @@ impl Agents {
     pub fn put(&mut self, number: usize, point: &SurfacePoint) {
         let (face, weights) = self.on_face(point);
         let (position, upright) = self.footing.stand(&self.surface, Place { face, weights });
-        let Agent { heading, radius, speed, .. } = self.agents[number];
-        let heading = turned(heading, heading, upright, 1.0);
-        let (velocity, has_arrived) = (DVec3::ZERO, false);
-        self.agents[number] = Agent { face, weights, position, velocity, upright, heading, radius, speed, has_arrived };
+        let agent = &mut self.agents[number];
+        let heading = turned(agent.heading, agent.heading, upright, 1.0);
+        let (velocity, left, has_arrived) = (DVec3::ZERO, f64::INFINITY, false);
+        *agent = Agent { face, weights, position, velocity, upright, heading, left, has_arrived, ..*agent };
     }
 
     /// Takes all agents away that are not wanted; those behind move up.
@@ -188,6 +205,9 @@ impl Agents {
     pub fn follow(&mut self, distance: &Distance, costs: Option<&Costs>) -> Result<()> {
         self.flow.follow(&self.surface, distance)?;
         self.costs = costs.cloned();
+        for agent in &mut self.agents {
+            agent.has_arrived = false;
+        }
         Ok(())
     }
 
@@ -233,7 +253,8 @@ impl Agents {
         let agent = &self.agents[number];
         let wanted = if agent.has_arrived { DVec3::ZERO } else { self.wanted(agent) };
         let mut force = (wanted - agent.velocity) / REACTION;
-        let mut apart = DVec3::ZERO;
+        let (mut apart, mut is_behind) = (DVec3::ZERO, false);
+        let touch = TOUCH[usize::from(agent.has_arrived)];
         let mut meet = |other: &Other| {
             let (pushed, moved) = met(agent, number, other);
             force += pushed;
@@ -244,6 +265,8 @@ impl Agents {
             // Those on the other side of a sheet are near in space alone.
             if near != number && other.upright.dot(agent.upright) > 0.0 {
                 let Agent { position, velocity, radius, .. } = *other;
+                let touches = || position.distance(agent.position) < touch * (radius + agent.radius);
+                is_behind |= other.has_arrived && other.left < agent.left && touches();
                 meet(&Other { position, velocity, radius, share: 0.5 });
             }
         });
@@ -253,7 +276,7 @@ impl Agents {
         });
         let force = force.clamp_length_max(AGILITY * agent.speed);
         let velocity = (agent.velocity + force * seconds).clamp_length_max(agent.speed);
-        Move { velocity, apart: apart.clamp_length_max(agent.radius) }
+        Move { velocity, apart: apart.clamp_length_max(agent.radius), is_behind }
     }
 
     /// The velocity that an agent would have by itself.
@@ -269,14 +292,14 @@ impl Agents {
         leg.map_or(DVec3::ZERO, |leg| leg.vector(&self.surface))
     }
 
-    fn moved(&self, agent: Agent, Move { velocity, apart }: Move, seconds: f64) -> Agent {
+    fn moved(&self, agent: Agent, Move { velocity, apart, is_behind }: Move, seconds: f64) -> Agent {
         let surface: &Surface = &self.surface;
         let mut place = Place { face: agent.face, weights: agent.weights };
         let mut step = velocity * seconds;
-        let mut has_arrived = false;
+        let mut has_arrived = is_behind;
         let leg = if self.flow.is_empty() { None } else { self.flow.leg(surface, place) };
         if let Some(leg) = leg {
-            has_arrived = leg.is_last && leg.length <= agent.radius;
+            has_arrived |= leg.is_last && leg.length <= agent.radius;
             // From the face that the way down begins in, where it leads over a portal from behind that.
             place = leg.from;
             if leg.leads_on() && leg.length <= step.length() {
@@ -290,8 +313,9 @@ impl Agents {
         let velocity = along(velocity).normalize_or_zero() * velocity.length();
         let share = -(-velocity.length() * seconds / (2.0 * agent.radius)).exp_m1();
         let heading = turned(agent.heading, velocity, upright, share);
+        let left = if self.flow.is_empty() { f64::INFINITY } else { self.flow.value(surface, place) };
         let Place { face, weights } = place;
-        Agent { face, weights, position, velocity, upright, heading, has_arrived, ..agent }
+        Agent { face, weights, position, velocity, upright, heading, left, has_arrived, ..agent }
     }
 
     fn on_face(&self, point: &SurfacePoint) -> (FaceId, [f64; 3]) {

@@ -110,6 +110,12 @@ impl Flow {
         Ok(())
     }
 
+    /// The linear interpolation of the distance; infinite where there is none.
+    pub fn value(&self, surface: &Surface, place: Place) -> f64 {
+        let values = self.corner_values(surface, place.face);
+        (0..3).filter(|&k| place.weights[k] > 0.0).map(|k| place.weights[k] * values[k]).sum()
+    }
+
     fn descent(&self, surface: &Surface, face: FaceId) -> DescentDirection {
         DescentDirection::new(surface.corners(face), self.corner_values(surface, face))
     }
