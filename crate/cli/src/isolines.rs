@@ -65,9 +65,7 @@ pub fn isolines(arguments: &args::Isolines) -> Result<String> {
         }
         Asked::Sources(answer) => match prepared.solver.place_distances(answer) {
             Ok(distances) => distances.map(|distances| {
-                field.refined(&levels, MOST_ROUNDS, |places| {
-                    of_surface(places).into_iter().map(|place| distances.at(place)).collect::<Result<_, _>>().map(Some)
-                })
+                field.refined(&levels, MOST_ROUNDS, |places| distances.at_all(&of_surface(places)).map(Some))
             }),
             Err(Error::NotExact) => None,
             Err(error) => return Err(error.into()),

@@ -279,8 +279,9 @@ impl Solver {
         let solved = self.solved.as_ref().ok_or(heatwalk::Error::NoSource)?;
         let surface = Arc::clone(self.solver.surface());
         let Some(distances) = self.solver.place_distances(solved.solution.answer())? else { return Ok(None) };
-        let at = |place| Ok(distances.at(self.drawn.point(&surface, &place)?)?);
-        places.iter().map(at).collect::<Result<_>>().map(Some)
+        let point = |place| self.drawn.point(&surface, &place);
+        let points = places.iter().map(point).collect::<Result<Vec<_>>>()?;
+        Ok(Some(distances.at_all(&points)?))
     }
 
     /// `#D × 4`: direction in which the last field grows, 127 for a unit; the fourth number is 0.

@@ -1,6 +1,6 @@
 //! How time and memory grow with a surface of hostile form: on vertices of n triangles, edges of n triangles,
-//! slivers, parts and boundaries that touch; and with polygons of n corners, n sources in one place of a curved surface, and tetrahedra
-//! around an edge or a vertex.
+//! slivers, parts and boundaries that touch; and with polygons of n corners, n sources in one place of a curved surface, n places in faces, and
+//! tetrahedra around an edge or a vertex.
 //!
 //! `cargo run --release -p heatwalk-cli --example growth [-- N] [WORD ...]`
 //!
@@ -19,6 +19,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use anyhow::{Context, Result};
+use heatwalk::Soup;
 use peak_alloc::PeakAlloc;
 
 #[global_allocator]
@@ -61,6 +62,10 @@ fn main() -> Result<()> {
     }
     for family in places::FAMILIES {
         row(format!("exact, {}", family.0), &|size| Ok((size, places::exact(size, family)?)))?;
+    }
+    for (family, make) in surfaces::FAMILIES.into_iter().filter(|family| places::QUICK.contains(&family.0)) {
+        let triangles = |soup: &Soup| soup.triangles.len();
+        row(format!("places in faces, {family}"), &|size| on(&make(size), triangles, places::in_faces))?;
     }
     for (family, make) in inside::FAMILIES {
         for (operation, prepare) in inside::OPERATIONS {

@@ -1,10 +1,10 @@
-//! Many sources in one place of a curved surface.
+//! Many sources in one place of a curved surface, and many places.
 
 use std::sync::Arc;
 
-use anyhow::Result;
+use anyhow::{Context, Error, Result};
 use heatwalk::exact::{ExactGeometry, Wavefront};
-use heatwalk::{FaceId, Place, Soup, Surface};
+use heatwalk::{DistanceOptions, DistanceSolver, Element, FaceId, Method, Place, Soup, Surface, VertexId, go_on};
 use heatwalk_shapes as shapes;
 
 use crate::{Operation, does};
@@ -52,4 +52,17 @@ pub fn exact(count: usize, (_, soup, place): Family) -> Result<Operation> {
         wavefront.advance(f64::INFINITY, usize::MAX)?;
         anyhow::Ok(wavefront.into_values())
     })
+}
+
+/// Surfaces by their names on which exact distances of vertices take little time.
+pub const QUICK: [&str; 4] = ["terrain", "ladder", "hub", "wavy hub"];
+
+/// Exact distances from a vertex, of as many places as there are faces.
+pub fn in_faces(soup: &Soup) -> Result<Operation> {
+    let mut solver = DistanceSolver::new(Surface::build(soup)?);
+    let source = Place::Vertex(VertexId(1));
+    let answer = solver.distance(&[source], &DistanceOptions::by(Method::Exact), &mut go_on)?;
+    let faces = (0..solver.surface().face_count()).map(FaceId::from_index);
+    let places: Vec<Place> = faces.map(|face| Place::Face { face, weights: [0.3, 0.3, 0.4] }).collect();
+    does(move || solver.place_distances(&answer)?.context("all is exact")?.at_all(&places).map_err(Error::from))
 }

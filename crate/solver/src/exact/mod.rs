@@ -111,18 +111,18 @@ pub(crate) fn interruptible_path<S: ToSource>(
     if sources.is_empty() {
         return Err(Error::NoSource);
     }
-    search(geometry, sources, from, progress)?.path_from_target(0)
+    search(geometry, sources, &[from], progress)?.path_from_target(0)
 }
 
-/// A wavefront that has passed its only target, so that no path to it can get shorter.
-fn search<S: ToSource>(
+/// A wavefront that has passed all of its targets, so that no path to them can get shorter.
+fn search<S: ToSource, T: ToPoint>(
     geometry: &Arc<ExactGeometry>,
     sources: &[S],
-    target: impl ToPoint,
+    targets: &[T],
     progress: Progress<'_>,
 ) -> Result<Wavefront> {
-    let mut wavefront = Wavefront::with_targets(Arc::clone(geometry), sources, &[target])?;
-    while !wavefront.is_done() && wavefront.radius() <= wavefront.target_values()[0] {
+    let mut wavefront = Wavefront::with_targets(Arc::clone(geometry), sources, targets)?;
+    while !wavefront.is_done() && wavefront.target_values().iter().any(|&value| wavefront.radius() <= value) {
         report(progress, Stage::Searching { radius: wavefront.radius() }, 0.0)?;
         wavefront.advance(f64::INFINITY, WORK_BETWEEN_CALLS)?;
     }

@@ -5,23 +5,28 @@
 //! that the ends of each edge tell how near it can be to a source: what cannot be on a shortest path is not followed, and few faces
 //! around that path are crossed.
 
+mod lines;
+
 use std::sync::Arc;
 
 use heatwalk_sparse::go_on;
-use heatwalk_surface::{FaceId, HalfedgeId, PathPoint, Place, Source, ToPoint, ToSource, VertexData, VertexId};
+use heatwalk_surface::{PathPoint, Place, Source, ToPoint, ToSource, VertexData};
 
-use super::geometry::{ExactGeometry, Frame, after, before};
+pub(crate) use lines::End;
+
+use super::geometry::ExactGeometry;
 use super::points::PointsInFaces;
-use super::portals::Portals;
-use super::targets::Targets;
-use super::window::{Beam, length};
-use super::{Crossing, checked_sources, search};
+use super::{Wavefront, checked_sources, search};
 use crate::error::{Error, Result};
-use crate::extremum::{larger, smaller};
+use lines::{Known, Lines};
 
 /// A place may take as many windows as the surface has faces, or so many: usual ones take some hundreds to some ten thousand. Where
 /// many faces of an edge lie on each other there is no end of lines of one length, which a search from the sources tells apart.
 const MOST_WINDOWS: usize = 1 << 16;
+
+/// Places that are asked for together may take so many times as many windows as one: what is left then takes one search from the
+/// sources for all of it, which takes about as long.
+const TOGETHER: usize = 64;
 
 /// A straight line on a path is longer than the distances of its ends say by no more than this share: their rounding.
 const STRAIGHT: f64 = 1e-9;
@@ -29,11 +34,7 @@ const STRAIGHT: f64 = 1e-9;
 /// Exact distances from sources, of places.
 #[derive(Debug)]
 pub struct PlaceDistances<'a> {
-    geometry: &'a Arc<ExactGeometry>,
-    /// `#V`.
-    values: &'a VertexData<f64>,
-    sources: Vec<Source>,
-    sources_in_faces: Arc<PointsInFaces>,
+    known: Known<'a>,
 }
 
 impl<'a> PlaceDistances<'a> {
@@ -60,7 +61,7 @@ impl<'a> PlaceDistances<'a> {
         let sources = checked_sources(&geometry.surface, sources)?;
         let places: Vec<Place> = sources.iter().map(Source::place).collect();
         let in_faces = PointsInFaces::new(&places, |place| geometry.faces_at(&geometry.surface, place));
-        Ok(Self { geometry, values, sources, sources_in_faces: Arc::new(in_faces) })
+        Ok(Self { known: Known { geometry, values, sources, sources_in_faces: in_faces } })
     }
 
     /// The distance at a place, in the file's unit, times the cost where all faces have one; infinite where no source reaches it.
@@ -68,31 +69,84 @@ impl<'a> PlaceDistances<'a> {
     /// # Errors
     /// Those of [`ToPoint::to_point`]; [`Error::OutOfMemory`].
     pub fn at(&self, place: impl ToPoint) -> Result<f64> {
-        let place = place.to_point(&self.geometry.surface)?.place();
+        let place = place.to_point(&self.known.geometry.surface)?.place();
         if let Place::Vertex(vertex) = place {
-            return Ok(self.values[vertex]);
+            return Ok(self.known.values[vertex]);
         }
-        match Lines::followed(self, place) {
+        match self.lines(place) {
             Some(lines) => Ok(lines.least),
-            None => Ok(search(self.geometry, &self.sources, place, &mut go_on)?.target_values()[0]),
+            None => Ok(self.search(&[place])?.target_values()[0]),
         }
+    }
+
+    /// The distances at places, `#P`, each as by [`Self::at`] but for rounding. However many there are, it takes no longer than some
+    /// searches from the sources.
+    ///
+    /// # Errors
+    /// As [`Self::at`].
+    pub fn at_all(&self, places: &[impl ToPoint]) -> Result<Vec<f64>> {
+        let of_surface = places.iter().map(|place| Ok(place.to_point(&self.known.geometry.surface)?.place()));
+        self.within(&of_surface.collect::<Result<Vec<Place>>>()?, TOGETHER * self.most_windows())
+    }
+
+    /// The same where lines take no more windows than `most`.
+    fn within(&self, places: &[Place], most: usize) -> Result<Vec<f64>> {
+        let (mut values, _) = self.by_lines(places, most);
+        let left: Vec<usize> = (0..places.len()).filter(|&number| values[number].is_none()).collect();
+        if !left.is_empty() {
+            let targets: Vec<Place> = left.iter().map(|&number| places[number]).collect();
+            for (&number, &value) in left.iter().zip(self.search(&targets)?.target_values()) {
+                values[number] = Some(value);
+            }
+        }
+        Ok(values.into_iter().flatten().collect())
+    }
+
+    /// The distances at places whose lines take no more windows than one place may, and all together no more than `most`; and how many
+    /// these were.
+    fn by_lines(&self, places: &[Place], most: usize) -> (Vec<Option<f64>>, usize) {
+        let mut taken = 0;
+        let values = places.iter().map(|&place| {
+            if let Place::Vertex(vertex) = place {
+                return Some(self.known.values[vertex]);
+            }
+            let (lines, windows) = Lines::followed(&self.known, place, self.most_windows().min(most - taken));
+            taken += windows;
+            lines.map(|lines| lines.least)
+        });
+        (values.collect(), taken)
+    }
+
+    /// Straight lines from a place, unless they are too many.
+    fn lines(&self, place: Place) -> Option<Lines<'_>> {
+        Lines::followed(&self.known, place, self.most_windows()).0
+    }
+
+    /// A search from the sources that has passed these places.
+    fn search(&self, places: &[Place]) -> Result<Wavefront> {
+        search(self.known.geometry, &self.known.sources, places, &mut go_on)
+    }
+
+    /// Windows that the lines from one place may take.
+    fn most_windows(&self) -> usize {
+        MOST_WINDOWS.max(self.known.geometry.frames.len())
     }
 
     /// What a straight line from a place leads to on its shortest path; none where no source reaches it.
     pub(crate) fn end(&self, place: impl ToPoint) -> Result<Option<End>> {
-        let place = place.to_point(&self.geometry.surface)?.place();
+        let place = place.to_point(&self.known.geometry.surface)?.place();
         if let Place::Vertex(vertex) = place {
             return Ok(Some(End::Vertex(vertex)));
         }
-        match Lines::followed(self, place) {
+        match self.lines(place) {
             Some(lines) => Ok(lines.found.map(|found| found.end)),
-            None => Ok(search(self.geometry, &self.sources, place, &mut go_on)?.source_of_target(0).map(End::Source)),
+            None => Ok(self.search(&[place])?.source_of_target(0).map(End::Source)),
         }
     }
 
     /// The surface in the faces of which distances are known, and the sources.
     pub(crate) fn asked(&self) -> (&'a Arc<ExactGeometry>, &[Source]) {
-        (self.geometry, &self.sources)
+        (self.known.geometry, &self.known.sources)
     }
 
     /// Points on the edges that the shortest path crosses, wherever it crosses them, and at the vertices that it turns at, and how long
@@ -103,273 +157,102 @@ impl<'a> PlaceDistances<'a> {
         let source = loop {
             if let Place::Vertex(vertex) = place {
                 // Values fall strictly, so that each vertex is passed once.
-                if self.values[vertex] >= value {
+                if self.known.values[vertex] >= value {
                     return None;
                 }
-                value = self.values[vertex];
+                value = self.known.values[vertex];
                 let is_here = |source: &&Source| source.place() == place && source.initial_distance() <= value;
-                if let Some(source) = self.sources.iter().find(is_here) {
+                if let Some(source) = self.known.sources.iter().find(is_here) {
                     if points.is_empty() {
-                        let face = self.geometry.faces_at(&self.geometry.surface, place).first()?.0;
-                        points.push(self.point(place, face));
+                        let face = self.known.geometry.faces_at(&self.known.geometry.surface, place).first()?.0;
+                        points.push(self.known.point(place, face));
                     }
                     break source;
                 }
             }
-            let lines = Lines::followed(self, place)?;
+            let lines = self.lines(place)?;
             let found = lines.found.as_ref()?;
             if points.is_empty() {
                 whole = lines.least;
             }
-            if lines.least > value * (1.0 + STRAIGHT) + self.geometry.grain {
+            if lines.least > value * (1.0 + STRAIGHT) + self.known.geometry.grain {
                 return None;
             }
             lines.trace(found, &mut points);
             match found.end {
-                End::Source(source) => break &self.sources[source as usize],
+                End::Source(source) => break &self.known.sources[source as usize],
                 End::Vertex(vertex) => place = Place::Vertex(vertex),
             }
         };
         // From the source itself.
         points.dedup_by(|next, last| next.location == last.location);
         let face = points.first()?.face;
-        let [a, b, _] = self.geometry.surface.corners(face);
-        let cost = self.geometry.frame(face.0)[0].length / a.distance(b);
-        let length = whole * (1.0 + STRAIGHT) + self.geometry.grain - source.initial_distance();
+        let [a, b, _] = self.known.geometry.surface.corners(face);
+        let cost = self.known.geometry.frame(face.0)[0].length / a.distance(b);
+        let length = whole * (1.0 + STRAIGHT) + self.known.geometry.grain - source.initial_distance();
         Some((points, length / cost))
     }
-
-    // Four copies would be a kilobyte of the page's module.
-    #[inline(never)]
-    fn point(&self, location: Place, face: u32) -> PathPoint {
-        PathPoint { position: location.position(&self.geometry.surface), location, face: FaceId(face) }
-    }
 }
 
-/// Where a straight line ends.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum End {
-    Vertex(VertexId),
-    Source(u32),
-}
+#[cfg(test)]
+mod tests {
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
 
-/// The end of the shortest path found.
-#[derive(Debug)]
-struct Found {
-    /// In this face.
-    face: u32,
-    /// By way of this step.
-    step: u32,
-    end: End,
-}
+    use glam::DVec3;
+    use heatwalk_surface::{Element as _, FaceId, Soup, Surface, VertexId};
 
-/// A step on the way of lines.
-#[derive(Debug, Clone, Copy)]
-enum Step {
-    /// They go out from a place.
-    Start(Place),
-    /// They cross an edge, from one half-edge to another, after a step.
-    Cross { out: u32, into: u32, after: u32 },
-    /// They go on from the other end of a portal, one end of which they have reached in a face, after a step.
-    Emerge { end: u32, face: u32, after: u32 },
-}
+    use super::*;
 
-/// Straight lines from a place.
-struct Lines<'a> {
-    known: &'a PlaceDistances<'a>,
-    /// The length of the shortest path found.
-    least: f64,
-    found: Option<Found>,
-    sources: Targets,
-    /// Of the portals.
-    ends: Targets,
-    /// Ends that have come nearer to the place, to be left by their portals, with the faces and the steps by which they are reached.
-    reached_ends: Vec<(u32, u32, u32)>,
-    /// Windows, each with the half-edges by which it leaves a face and enters the next. Their root is the step before.
-    waiting: Vec<(u32, u32, Beam)>,
-    steps: Vec<Step>,
-}
-
-impl<'a> Lines<'a> {
-    /// Those from a place, to their ends; none where they are too many.
-    fn followed(known: &'a PlaceDistances<'a>, place: Place) -> Option<Self> {
-        let places: Vec<Place> = known.sources.iter().map(Source::place).collect();
-        let portals = known.geometry.portals();
-        let mut lines = Lines {
-            known,
-            least: f64::INFINITY,
-            found: None,
-            sources: Targets::new(&places, Arc::clone(&known.sources_in_faces)),
-            ends: Targets::new(portals.places(), Arc::clone(portals.in_faces())),
-            reached_ends: Vec::new(),
-            waiting: Vec::new(),
-            steps: Vec::new(),
+    /// Faces around a vertex, whose rim goes up and down so that paths bend at some of its corners.
+    fn wavy(count: u32) -> Arc<ExactGeometry> {
+        let on_rim = |corner: u32| {
+            let angle = std::f64::consts::TAU * f64::from(corner) / f64::from(count);
+            DVec3::new(angle.cos(), 0.4 * (5.0 * angle).sin(), angle.sin())
         };
-        lines.start(place, 0.0, Step::Start(place));
-        let most = MOST_WINDOWS.max(known.geometry.frames.len());
-        lines.follow(most).then_some(lines)
+        let positions = std::iter::once(DVec3::ZERO).chain((0..count).map(on_rim)).collect();
+        let corners = (0..count).map(|corner| [0, 1 + (corner + 1) % count, 1 + corner]).collect();
+        let surface = Surface::build(&Soup::single("wavy", positions, corners)).expect("a surface");
+        Arc::new(ExactGeometry::new(surface))
     }
 
-    /// Sends lines from a place at this distance from the one asked for.
-    fn start(&mut self, place: Place, offset: f64, step: Step) {
-        let geometry = self.known.geometry;
-        let root = self.push(step);
-        for (face, weights) in geometry.faces_at(&geometry.surface, place) {
-            let frame = geometry.frame(face);
-            for k in 0..3 {
-                let [x, depth] = frame.place(k, weights);
-                let vertex = VertexId(frame[k].vertex);
-                // A vertex is not on the way from itself.
-                if place != Place::Vertex(vertex) {
-                    self.offer(End::Vertex(vertex), offset + length(x, depth), (face, root));
+    /// Calls with the distances from a vertex, and places in all faces.
+    fn with_places(count: u32, check: impl Fn(&PlaceDistances<'_>, &[Place])) {
+        let geometry = wavy(count);
+        let source = VertexId(1);
+        let mut front = Wavefront::new(Arc::clone(&geometry), &[source]).expect("a front");
+        front.grow(f64::INFINITY, &mut go_on).expect("distances");
+        let distances = PlaceDistances::new(&geometry, front.values(), &[source]).expect("distances");
+        let in_face = |index: usize| [[0.2, 0.3, 0.5], [0.9, 0.05, 0.05]].map(|weights| (index, weights));
+        let place = |(index, weights)| Place::Face { face: FaceId::from_index(index), weights };
+        let places: Vec<Place> = (0..count as usize).flat_map(in_face).map(place).collect();
+        check(&distances, &places);
+    }
+
+    #[test]
+    fn lines_from_many_places_take_no_more_windows_than_they_may() {
+        with_places(60, |distances, places| {
+            let (all, enough) = distances.by_lines(places, usize::MAX);
+            assert!(all.iter().all(Option::is_some));
+            for most in [0, 1, enough / 3, enough, 2 * enough] {
+                let (values, taken) = distances.by_lines(places, most);
+                assert!(taken <= most, "{taken} of {most}");
+                assert!((0..places.len()).all(|number| values[number].is_none_or(|value| Some(value) == all[number])));
+                assert_eq!(values.contains(&None), most < enough, "{most} of {enough}");
+            }
+        });
+    }
+
+    #[test]
+    fn one_search_finds_what_lines_from_each_place_do() {
+        with_places(60, |distances, places| {
+            let alone: Vec<f64> = places.iter().map(|&place| distances.at(place).expect("a distance")).collect();
+            for most in [0, 500, usize::MAX] {
+                let together = distances.within(places, most).expect("distances");
+                for (alone, together) in alone.iter().zip(together) {
+                    assert!((alone - together).abs() <= 1e-12 * alone, "{alone} alone, {together} of at most {most}");
                 }
             }
-            self.see((face, root), |targets, nearer| {
-                targets.see_straight(frame, (face, weights), (offset, root), nearer);
-            });
-            for k in 0..3 {
-                let [x, depth] = frame.place(k, weights);
-                if depth > 0.0 {
-                    let across = frame[k].length;
-                    let all = Beam { begin: 0.0, end: across, x: across - x, depth, offset, root };
-                    self.leave(face * 3 + k as u32, all);
-                }
-            }
-        }
-    }
-
-    /// Follows all lines to their ends. Returns whether these are no more than `most`.
-    fn follow(&mut self, most: usize) -> bool {
-        for _ in 0..most {
-            if let Some((out, halfedge, beam)) = self.waiting.pop() {
-                self.cross(out, halfedge, beam);
-            } else if let Some(reached) = self.reached_ends.pop() {
-                self.emerge(reached);
-            } else {
-                return true;
-            }
-        }
-        false
-    }
-
-    /// Lets a window cross a face.
-    fn cross(&mut self, out: u32, halfedge: u32, mut beam: Beam) {
-        let geometry = self.known.geometry;
-        let (frame, k) = geometry.frame_of(halfedge);
-        if !self.can_be_nearer(frame, k, &beam) {
-            return;
-        }
-        beam.root = self.push(Step::Cross { out, into: halfedge, after: beam.root });
-        let here = (halfedge / 3, beam.root);
-        self.see(here, |targets, nearer| targets.see(frame, halfedge, (&beam, geometry.grain), nearer));
-        let (sides, opposite) = (frame.seen_from(k), frame.opposite(k));
-        let crossing = Crossing::new(beam, opposite);
-        if crossing.sees_corner(geometry.grain) {
-            let at = smaller(larger(crossing.splits(), beam.begin), beam.end);
-            let length = beam.at(at) + length(opposite[0] - at, opposite[1]);
-            self.offer(End::Vertex(VertexId(sides[2].vertex)), length, here);
-        }
-        let first = halfedge - k as u32;
-        for (out, beam) in [(before(k), crossing.to_left(sides)), (after(k), crossing.to_right(sides))] {
-            if let Some(beam) = beam.filter(Beam::is_wide) {
-                self.leave(first + out as u32, beam);
-            }
-        }
-    }
-
-    /// Lets a window out of a face by a half-edge, as those across see it.
-    fn leave(&mut self, out: u32, beam: Beam) {
-        let geometry = self.known.geometry;
-        let (frame, k) = geometry.frame_of(out);
-        self.waiting.extend(geometry.across(out).map(|(target, is_mirrored)| {
-            (out, target, if is_mirrored { beam.mirrored(frame[k].length) } else { beam })
-        }));
-    }
-
-    /// Whether a path through a window at a half-edge can be shorter than the shortest one found.
-    fn can_be_nearer(&self, frame: &Frame, k: usize, beam: &Beam) -> bool {
-        let across = frame[k].length;
-        let [a, b] = [frame[k].vertex, frame[after(k)].vertex].map(|vertex| self.known.values[VertexId(vertex)]);
-        // Seen from the place by way of the half-edge's begin, a source comes nearer along it, by way of its end it goes away:
-        // the larger of both is least where they agree.
-        let agree = 0.5 * (a - b + across);
-        let at = smaller(larger(agree, beam.begin), beam.end);
-        beam.at(at) + larger(a - at, b - (across - at)) < self.least
-    }
-
-    /// Offers an end at this distance from the place, by way of a face and a step.
-    fn offer(&mut self, end: End, length: f64, (face, step): (u32, u32)) {
-        let length = length
-            + match end {
-                End::Vertex(vertex) => self.known.values[vertex],
-                End::Source(source) => self.known.sources[source as usize].initial_distance(),
-            };
-        if length < self.least {
-            self.least = length;
-            self.found = Some(Found { face, step, end });
-        }
-    }
-
-    /// Offers the sources and the ends of portals in a face what `offer` sees there.
-    fn see(&mut self, here: (u32, u32), offer: impl Fn(&mut Targets, &mut dyn FnMut(u32, f64))) {
-        let mut seen = Vec::new();
-        offer(&mut self.sources, &mut |source, length| seen.push((source, length)));
-        for (source, length) in seen {
-            self.offer(End::Source(source), length, here);
-        }
-        let (face, step) = here;
-        let reached_ends = &mut self.reached_ends;
-        offer(&mut self.ends, &mut |end, _| reached_ends.push((end, face, step)));
-    }
-
-    /// Goes on from the other end of a portal, unless that is nearer by itself.
-    fn emerge(&mut self, (end, face, after): (u32, u32, u32)) {
-        let (portals, other) = (self.known.geometry.portals(), Portals::across(end));
-        let length = self.ends.values[end as usize] + portals.gap(end);
-        if length < self.ends.values[other as usize] && length < self.least {
-            self.ends.values[other as usize] = length;
-            self.start(portals.places()[other as usize], length, Step::Emerge { end, face, after });
-        }
-    }
-
-    fn push(&mut self, step: Step) -> u32 {
-        self.steps.push(step);
-        self.steps.len() as u32 - 1
-    }
-
-    /// Appends what the shortest path crosses, from the place to its end.
-    fn trace(&self, found: &Found, points: &mut Vec<PathPoint>) {
-        let (known, begin) = (self.known, points.len());
-        let end = match found.end {
-            End::Vertex(vertex) => Place::Vertex(vertex),
-            End::Source(source) => known.sources[source as usize].place(),
-        };
-        // From the end to the place; each point knows the face after it.
-        points.push(known.point(end, found.face));
-        let (mut face, mut step) = (found.face, found.step);
-        loop {
-            match self.steps[step as usize] {
-                Step::Start(place) => {
-                    points.push(known.point(place, face));
-                    break;
-                }
-                Step::Cross { out, into, after } => {
-                    let middle = Place::Edge { halfedge: HalfedgeId(into), fraction: 0.5 };
-                    points.push(known.point(middle, into / 3));
-                    (face, step) = (out / 3, after);
-                }
-                Step::Emerge { end, face: reached, after } => {
-                    let places = known.geometry.portals().places();
-                    points.push(known.point(places[Portals::across(end) as usize], face));
-                    points.push(known.point(places[end as usize], reached));
-                    (face, step) = (reached, after);
-                }
-            }
-        }
-        points[begin..].reverse();
-        // The last line has ended where this one begins.
-        if begin > 0 {
-            points.remove(begin - 1);
-        }
+        });
     }
 }

@@ -48,9 +48,10 @@ impl Solver {
         let place = |(&triangle, &weights): (&u32, &[f64; 3])| {
             // One that there is none of is for the surface to name.
             let face = self.drawn.face(triangle).unwrap_or(FaceId(triangle));
-            distances.at(Place::Face { face, weights })
+            Place::Face { face, weights }
         };
-        Ok(Some(triangles.iter().zip(weights.as_chunks().0).map(place).collect::<heatwalk::Result<_>>()?))
+        let places: Vec<Place> = triangles.iter().zip(weights.as_chunks().0).map(place).collect();
+        Ok(Some(distances.at_all(&places)?))
     }
 
     /// `#P × 2`, points of the path that was traced last: the length up to each, and the last field there, both in the file's
