@@ -5,6 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use crate::common;
 
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use crate::common::truth::Random;
@@ -232,7 +233,7 @@ fn non_manifold_edge_carries_heat() {
     let source = common::nearest(&surface, DVec3::new(1.0, 0.0, 0.5));
     let (solver, distance) = distance_from(&soup, source.0);
     for page in 1..3 {
-        let angle = std::f64::consts::TAU * f64::from(page) / 3.0;
+        let angle = TAU * f64::from(page) / 3.0;
         let end = common::nearest(solver.surface(), DVec3::new(angle.cos(), angle.sin(), 0.5));
         // Edges of 1/8 on a way of 2: the method's offset is about half an edge.
         assert!((distance.values[end] - 2.0).abs() < 0.1, "{}", distance.values[end]);
@@ -257,7 +258,7 @@ fn sheets_that_touch_are_no_short_cut() {
     let count = 12;
     let mut positions = Vec::new();
     for step in 0..=count {
-        let angle = std::f64::consts::TAU * f64::from(step) / f64::from(count);
+        let angle = TAU * f64::from(step) / f64::from(count);
         let inside = DVec3::new(angle.cos(), angle.sin(), 0.0);
         // The last step comes back to the first inner position, but not to the first outer one.
         let outside = inside * 2.0 + DVec3::Z * 0.1 * f64::from(step);
@@ -328,6 +329,24 @@ fn smallest_surface_works() {
     let (_, distance) = distance_from(&soup(flat(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]), vec![[0, 1, 2]]), 0);
     assert_eq!(distance.values[VertexId(0)], 0.0);
     assert!(distance.values[VertexId(1)] > 0.5 && distance.values[VertexId(1)] < 1.5);
+}
+
+#[test]
+fn around_one_vertex_each_edge_is_flipped_few_times() {
+    // The rim goes up and down, so that no edge to the vertex stays for long.
+    let flips = |count: u32| {
+        let on_rim = |corner: u32| {
+            let (y, x) = (TAU * f64::from(corner) / f64::from(count)).sin_cos();
+            DVec3::new(x, y, 0.2 * (7.0 * TAU * f64::from(corner) / f64::from(count)).sin())
+        };
+        let positions = std::iter::once(DVec3::ZERO).chain((0..count).map(on_rim)).collect();
+        let triangles = (0..count).map(|corner| [0, 1 + corner, 1 + (corner + 1) % count]).collect();
+        IntrinsicTriangulation::delaunay(&surface(&soup(positions, triangles))).flips() as f64
+    };
+    for count in [1000, 8000] {
+        let flips = flips(count);
+        assert!(flips > 0.5 * f64::from(count) && flips < 4.0 * f64::from(count), "{flips} flips of {count} edges");
+    }
 }
 
 #[test]

@@ -3,14 +3,13 @@
 //! Fisher, Springborn, Schröder, Bobenko, "An algorithm for the construction of intrinsic Delaunay triangulations"
 //! (2006); Sharp and Crane, "A Laplacian for nonmanifold triangle meshes" (2020), sections 3.1 (mollification) and 3.3.
 
-use std::collections::BinaryHeap;
-
 use heatwalk_base::csr::NONE;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{Element as _, FaceId, HalfedgeId, VertexId, triangle};
 
 use crate::error::{Error, Result};
 use crate::operator::elements::{Element, Elements, edge_statistics, require_triangles};
+use crate::operator::waiting::{Flippable, Waiting};
 
 /// Share of the mean edge by which every triangle must miss being flat after mollification (Sharp and Crane, 4.5).
 const MOLLIFICATION: f64 = 1e-5;
@@ -186,36 +185,40 @@ impl IntrinsicTriangulation {
         seams
     }
 
-    /// Flips edges until those of `sides` and of the triangles changed on the way are Delaunay, or [`MOST_FLIPS`] are done.
-    ///
-    /// What is farthest from it is flipped first, so that flat triangles in a row, as at a T-junction, are flipped away one after another
-    /// and not among themselves. `flipped` is told of each with one of its new slots.
+    /// Flips edges until those of `sides` and of the triangles changed on the way are Delaunay, or [`MOST_FLIPS`] are done. `flipped` is
+    /// told of each with one of its new slots.
     pub(crate) fn flip_to_delaunay(&mut self, sides: impl Iterator<Item = u32>, mut flipped: impl FnMut(&Self, u32)) {
-        let mut waiting = Waiting { edges: BinaryHeap::new(), holds: vec![false; self.twins.len()] };
-        sides.for_each(|side| self.let_wait(side, &mut waiting));
+        let mut waiting = Waiting::new(&self.faces);
+        sides.for_each(|side| self.let_wait(side, 0, &mut waiting));
         let most = self.flips + MOST_FLIPS * self.twins.len();
-        while let Some((_, slot)) = waiting.edges.pop().filter(|_| self.flips < most) {
-            waiting.holds[slot as usize] = false;
+        while let Some((slot, round)) = waiting.pop().filter(|_| self.flips < most) {
             if !self.is_to_flip(slot) {
                 continue;
             }
-            let twin = self.twins[slot as usize];
+            let (twin, ends) = (self.twins[slot as usize], self.corners_of(slot));
             self.flip(slot);
+            waiting.flipped(ends, self.corners_of(slot));
             flipped(self, slot);
             self.flips += 1;
             for side in [next(slot), previous(slot), next(twin), previous(twin)] {
-                self.let_wait(side, &mut waiting);
+                self.let_wait(side, round + 1, &mut waiting);
             }
         }
     }
 
-    /// Lets an edge wait to be flipped, where it is to be.
-    fn let_wait(&self, side: u32, waiting: &mut Waiting) {
+    /// Lets an edge wait to be flipped in this round or before, where it is to be.
+    fn let_wait(&self, side: u32, round: u32, waiting: &mut Waiting) {
         // Of the two slots of an edge, the lower one stands for it.
-        let low = side.min(self.twins[side as usize]);
-        if self.is_to_flip(low) && !std::mem::replace(&mut waiting.holds[low as usize], true) {
-            waiting.edges.push((self.excess(low).to_bits(), low));
+        let slot = side.min(self.twins[side as usize]);
+        if self.is_to_flip(slot) {
+            let (ends, length) = (self.corners_of(slot), self.lengths[slot as usize]);
+            waiting.push(&Flippable { slot, ends, length, excess: self.excess(slot) }, round);
         }
+    }
+
+    /// The vertices that a side leaves and enters.
+    fn corners_of(&self, slot: u32) -> [u32; 2] {
+        [slot, next(slot)].map(|slot| self.faces[slot as usize / 3][slot as usize % 3])
     }
 
     /// How far an edge is from Delaunay, above 0 where it is to be flipped.
@@ -296,7 +299,7 @@ impl IntrinsicTriangulation {
 
     /// The vertices that a side leaves and enters.
     pub fn ends(&self, side: HalfedgeId) -> [VertexId; 2] {
-        [side, HalfedgeId(next(side.0))].map(|side| VertexId(self.faces[side.triangle().index()][side.corner()]))
+        self.corners_of(side.0).map(VertexId)
     }
 
     /// The side glued to a side, none where it is open.
@@ -359,14 +362,6 @@ fn mollify(lengths: &mut [f64], mean_edge: f64) {
             *length += addition;
         }
     }
-}
-
-/// Edges that wait to be flipped.
-struct Waiting {
-    /// By the bits of their excess, which order as positive numbers do.
-    edges: BinaryHeap<(u64, u32)>,
-    /// By slot.
-    holds: Vec<bool>,
 }
 
 /// Cotangents of the angles opposite the sides of these lengths.

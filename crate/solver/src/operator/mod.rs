@@ -8,6 +8,7 @@ pub mod intrinsic;
 pub mod laplacian;
 mod metric;
 mod relocate;
+mod waiting;
 
 pub use connection::ConnectionLaplacian;
 pub use frames::{Frames, TangentPlane};
