@@ -123,6 +123,11 @@ impl Frame {
         self.0.map(|side| side.vertex)
     }
 
+    /// The height on the longest side.
+    fn height(&self) -> f64 {
+        self.0.iter().map(|side| side.length * side.sin).fold(f64::INFINITY, smaller)
+    }
+
     /// The corner at a point, if there is one.
     pub fn corner(&self, vertex: u32) -> Option<usize> {
         self.0.iter().position(|side| side.vertex == vertex)
@@ -195,6 +200,9 @@ const GRAIN: f64 = 1e-14;
 const THIN_SINE: f64 = 0.1;
 const THIN_SHARE: f64 = 0.1;
 
+/// Triangles so many times as long as high, in the mean of lengths and heights, are slivers.
+const SLIVER: f64 = 64.0;
+
 /// Radians of an angle defect beyond which it makes no difference how sharp a vertex is: shortest paths pass it by.
 const SHARPEST: f64 = 0.5;
 
@@ -215,6 +223,8 @@ pub struct ExactGeometry {
     pub(super) grain: f64,
     /// Whether many triangles are thin.
     is_thin: bool,
+    /// Whether most of the surface is slivers.
+    is_of_slivers: bool,
     /// Where they are not the same everywhere.
     costs: Option<Costs>,
 }
@@ -238,6 +248,7 @@ impl ExactGeometry {
         for copy in mesh.vertices().skip(surface.vertex_count()) {
             is_cut[surface.vertex_of_cut(copy).index()] = true;
         }
+        let heights: f64 = frames.iter().map(Frame::height).sum();
         let thin = frames.iter().filter(|frame| frame.0.iter().any(|side| side.sin < THIN_SINE)).count();
         let mut geometry = Self {
             mean_edge: surface.mean_edge(),
@@ -245,6 +256,7 @@ impl ExactGeometry {
             threads,
             grain: GRAIN * frames.iter().flat_map(|frame| frame.0.iter()).map(|side| side.length).fold(0.0, larger),
             is_thin: thin as f64 > THIN_SHARE * frames.len() as f64,
+            is_of_slivers: SLIVER * heights < surface.mean_edge() * frames.len() as f64,
             frames,
             bends: Vec::new(),
             portals: Portals::default(),
@@ -296,6 +308,11 @@ impl ExactGeometry {
     /// Whether a tenth of the triangles is thin, as on fillets of CAD models: one window of a half-edge tells little of its ends there.
     pub(crate) fn is_thin(&self) -> bool {
         self.is_thin
+    }
+
+    /// Whether triangles are so thin that an edge is as long as a row of many.
+    pub(crate) fn is_of_slivers(&self) -> bool {
+        self.is_of_slivers
     }
 
     /// What a unit of length costs, where that is not the same everywhere.

@@ -41,7 +41,7 @@ impl<C: Count, M: Medium> Front<C, M> {
         let halfedges = 3 * geometry.surface().face_count();
         Ok(Self {
             labels: Labels::new(halfedges, stretches, geometry.mean_edge(), geometry.threads)?,
-            crossing: Queue::new(BUCKET * geometry.mean_edge()),
+            crossing: Queue::new(&geometry, BUCKET),
             is_refused: false,
             entering: Vec::new(),
             passages: Vec::with_capacity(BATCH),

@@ -42,7 +42,7 @@ impl Reached {
             surface: Arc::clone(geometry.surface()),
             values: VertexData::default(),
             nearest: VertexData::default(),
-            sending: Queue::new(bucket * geometry.mean_edge()),
+            sending: Queue::new(&geometry, bucket),
             ends: Ends::default(),
             waits: Vec::new(),
             crossed: 0,

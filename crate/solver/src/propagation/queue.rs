@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::exact::Ring;
+use crate::exact::{ExactGeometry, Ring};
 
 /// Buckets are as wide as edges, and what waits in one is taken in any order: what is near may come after what it makes shorter, which is
 /// then taken again. Beyond so many times for each item that there is, edges are far shorter than buckets are wide, as on slivers, and
@@ -18,20 +18,30 @@ pub(super) struct Queue {
     sorted: BinaryHeap<Reverse<(u64, u32)>>,
     is_sorted: bool,
     is_refused: bool,
+    /// Buckets take so many times as many items as there are.
+    times: usize,
     /// Items that may still be taken out of buckets.
     left: usize,
 }
 
 impl Queue {
-    pub fn new(width: f64) -> Self {
-        Self { ring: Ring::new(0.0, width), sorted: BinaryHeap::new(), is_sorted: false, is_refused: false, left: 0 }
+    /// Of half-edges or vertices, with buckets so wide in mean edges. On slivers it is in exact order from the start.
+    pub fn new(geometry: &ExactGeometry, width: f64) -> Self {
+        Self {
+            ring: Ring::new(0.0, width * geometry.mean_edge()),
+            sorted: BinaryHeap::new(),
+            is_sorted: false,
+            is_refused: false,
+            times: if geometry.is_of_slivers() { 0 } else { TIMES },
+            left: 0,
+        }
     }
 
     /// Takes all out, to begin again at `base`, with so many items that may come.
     pub fn clear(&mut self, base: f64, items: usize) {
         self.ring.clear(base, |_| ());
         self.sorted.clear();
-        (self.is_sorted, self.is_refused, self.left) = (false, false, TIMES * items);
+        (self.is_sorted, self.is_refused, self.left) = (false, false, self.times * items);
     }
 
     /// Goes on in exact order.
