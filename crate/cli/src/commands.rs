@@ -8,6 +8,7 @@ use serde_json::json;
 
 use crate::answer::Answer;
 use crate::args::{Command, Info};
+use crate::batch::batch;
 use crate::cells::cells;
 use crate::destination::is_standard;
 use crate::distance::distance;
@@ -56,6 +57,7 @@ fn answer(command: &Command) -> Result<Answer> {
         Command::Transport(arguments) => transport(arguments).map(Answer::from),
         Command::Pairs(arguments) => pairs(arguments).map(Answer::from),
         Command::Matrix(arguments) => matrix(arguments).map(Answer::from),
+        Command::Batch(arguments) => batch(arguments),
         Command::Table(arguments) => Ok(table(arguments)),
     }
 }

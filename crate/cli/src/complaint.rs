@@ -1,6 +1,9 @@
-//! Standard error.
+//! Standard error and the exit status.
 
 use std::io::{self, Write};
+
+/// The exit status of bad input and bad usage alike: the caller has to change something.
+pub const FAILURE: u8 = 2;
 
 /// One line on standard error, whatever file names the message quotes.
 pub fn complain(message: &str) {

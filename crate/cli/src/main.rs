@@ -2,7 +2,9 @@
 
 mod answer;
 mod args;
+mod batch;
 mod cells;
+mod checksum;
 mod commands;
 mod complaint;
 mod curve;
@@ -12,6 +14,7 @@ mod fill;
 mod ground;
 mod input;
 mod isolines;
+mod job;
 mod lists;
 mod locate;
 mod log_map;
@@ -26,6 +29,7 @@ mod output;
 mod pairs;
 mod path;
 mod place;
+mod progress;
 mod question;
 mod report;
 mod sample;
@@ -43,13 +47,11 @@ use clap::Parser;
 use clap::error::ErrorKind;
 
 use crate::args::Arguments;
-use crate::complaint::complain;
-
-/// Bad input and bad usage alike: the caller has to change something.
-const FAILURE: u8 = 2;
+use crate::complaint::{FAILURE, complain};
 
 fn main() -> ExitCode {
     let outcome = match Arguments::try_parse() {
+        Ok(arguments) if arguments.job => return job::job(&arguments.command),
         Ok(arguments) => commands::run(&arguments.command),
         Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
             Ok(error.render().to_string().into())

@@ -1,6 +1,11 @@
 //! Errors in one sentence, with what a user of the program can do about them.
 
+use std::io::{self, ErrorKind};
+
 use anyhow::Error;
+
+/// The code of an error after which nothing more can be written.
+pub const DISK_FULL: &str = "disk-full";
 
 /// All that is known of an error. Libraries say what is wrong; what helps depends on who asks.
 pub fn sentence(error: &Error) -> String {
@@ -8,6 +13,15 @@ pub fn sentence(error: &Error) -> String {
         Some(remedy) => format!("{error:#}; {remedy}"),
         None => format!("{error:#}"),
     }
+}
+
+/// What kind of error it is.
+pub fn code_of(error: &Error) -> &'static str {
+    let of_system = || {
+        let kind = error.chain().find_map(|cause| cause.downcast_ref::<io::Error>()).map(io::Error::kind)?;
+        Some(if kind == ErrorKind::StorageFull { DISK_FULL } else { "file-system" })
+    };
+    code(error).or_else(of_system).unwrap_or("invalid-argument")
 }
 
 fn code(error: &Error) -> Option<&'static str> {

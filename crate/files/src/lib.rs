@@ -1,5 +1,6 @@
 //! Mesh files on the disk: unpacked, with the files that they refer to. What programs and packages share, and no page needs.
 
+mod folder;
 mod open;
 
 use std::path::Path;
@@ -9,6 +10,7 @@ use heatwalk_model::io::{self, Budget, Resources};
 use heatwalk_model::{Error, Model};
 use heatwalk_volume::io::{self as volume, Format, TetFile};
 
+pub use folder::meshes_in;
 pub use open::{MeshFile, open};
 
 /// Reads the surface of a file; of tetrahedra their boundary.

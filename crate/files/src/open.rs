@@ -72,6 +72,15 @@ pub fn may_hold_tetrahedra(path: &Path) -> bool {
     has_extension(&name, "zip") || Format::of_name(without_gz(&name)).is_some()
 }
 
+/// Whether a file is a mesh by its name, or may be one that is packed.
+pub fn names_mesh(name: &str) -> bool {
+    has_extension(name, "zip") || is_mesh(without_gz(name))
+}
+
+fn is_mesh(path: &str) -> bool {
+    io::names_mesh(path) || Format::of_name(path).is_some()
+}
+
 /// Devices and pipes may never end, so only plain files are read.
 fn read_file(path: &Path) -> Result<Vec<u8>> {
     if !fs::metadata(path)?.is_file() {
@@ -116,7 +125,6 @@ fn mesh_of<'a>(archive: &'a Archive) -> Result<Option<&'a str>> {
         let node = path.strip_suffix(".ele").map(|stem| format!("{stem}.node"));
         node.is_some_and(|node| paths.contains(&node))
     };
-    let is_mesh = |path: &str| io::names_mesh(path) || Format::of_name(path).is_some();
     let meshes = paths.iter().map(String::as_str);
     let meshes: Vec<&str> = meshes.filter(|path| is_mesh(path) && !is_hidden(path) && !is_second(path)).collect();
     match meshes[..] {

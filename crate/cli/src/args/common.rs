@@ -56,9 +56,14 @@ pub struct Bridging {
 impl Mesh {
     /// Threads to work on.
     pub fn threads(&self) -> NonZeroUsize {
-        // Where the machine does not tell, one is sure to be there.
-        self.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN)
+        self.threads.unwrap_or_else(available)
     }
+}
+
+/// Threads of the machine.
+pub fn available() -> NonZeroUsize {
+    // Where it does not tell, one is sure to be there.
+    available_parallelism().unwrap_or(NonZeroUsize::MIN)
 }
 
 /// The group `turned` is what it has something to do with.

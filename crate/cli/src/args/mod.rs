@@ -1,5 +1,6 @@
 //! The command line: its commands by groups.
 
+mod batch;
 mod common;
 mod directions;
 mod fields;
@@ -14,7 +15,8 @@ use std::path;
 use clap::error::ErrorKind;
 use clap::{Args, Parser, Subcommand};
 
-pub use common::{Bridging, Mesh};
+pub use batch::Batch;
+pub use common::{Bridging, Mesh, available};
 pub use directions::{LogMap, Transport};
 pub use fields::{Distance, Isolines, Question, Solving, Table};
 pub use many::{Matrix, Pairs};
@@ -26,6 +28,9 @@ pub use volume::Fill;
 #[derive(Parser)]
 #[command(name = "heatwalk", version)]
 pub struct Arguments {
+    /// Of batch: end when standard input does, and tell an error as an object on standard output
+    #[arg(long, hide = true)]
+    pub job: bool,
     #[command(subcommand)]
     pub command: Command,
 }
@@ -58,6 +63,8 @@ pub enum Command {
     Pairs(Pairs),
     /// Distances from each of many sources, a row each
     Matrix(Matrix),
+    /// One command on each of many meshes
+    Batch(Batch),
     /// Fill a closed surface with tetrahedra
     Fill(Fill),
     /// Time both linear solvers of the heat method on each mesh
@@ -68,7 +75,7 @@ impl Command {
     /// The files that it is told to write.
     pub fn outputs(&self) -> [Option<&path::Path>; 2] {
         let (first, second) = match self {
-            Self::Info(_) | Self::Mean(_) | Self::Table(_) => (None, None),
+            Self::Info(_) | Self::Mean(_) | Self::Batch(_) | Self::Table(_) => (None, None),
             Self::Distance(command) => (command.output.as_deref(), None),
             Self::Path(command) => (command.output.as_deref(), None),
             Self::Loop(command) => (command.output.as_deref(), None),
@@ -88,6 +95,15 @@ impl Command {
     /// Whether what it tells is an object.
     pub fn is_json(&self) -> bool {
         match self {
+            Self::Batch(batch) => batch.json,
+            Self::Table(table) => table.json,
+            _ => self.mesh().is_some_and(|mesh| mesh.json),
+        }
+    }
+
+    /// The mesh of a command that has one.
+    pub fn mesh(&self) -> Option<&Mesh> {
+        match self {
             Self::Info(Info { mesh, .. })
             | Self::Distance(Distance { question: Question { mesh, .. }, .. })
             | Self::Path(Path { mesh, .. })
@@ -101,8 +117,8 @@ impl Command {
             | Self::Cells(Cells { mesh, .. })
             | Self::Pairs(Pairs { mesh, .. })
             | Self::Matrix(Matrix { mesh, .. })
-            | Self::Fill(Fill { mesh, .. }) => mesh.json,
-            Self::Table(table) => table.json,
+            | Self::Fill(Fill { mesh, .. }) => Some(mesh),
+            Self::Batch(_) | Self::Table(_) => None,
         }
     }
 }
@@ -118,7 +134,7 @@ pub struct Info {
 /// The first paragraph of clap's message, on one line; the rest is its help.
 pub fn in_one_sentence(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "give a command: info, distance, path, loop, isolines, sample, mean, walk, log-map, transport, cells, pairs, matrix, fill or table; heatwalk --help tells more".to_owned();
+        return "give a command: info, distance, path, loop, isolines, sample, mean, walk, log-map, transport, cells, pairs, matrix, batch, fill or table; heatwalk --help tells more".to_owned();
     }
     let text = error.render().to_string();
     let paragraph = text.split("\n\n").next().unwrap_or_default();

@@ -4,7 +4,6 @@ mod fingerprint;
 mod npy;
 mod npz;
 mod part;
-mod progress;
 mod row;
 mod sink;
 
@@ -17,7 +16,6 @@ use heatwalk::{
 use serde_json::json;
 
 use self::fingerprint::{Question, fingerprint};
-use self::progress::Ticker;
 use self::row::Layout;
 use self::sink::Sink;
 use crate::args::Matrix;
@@ -26,6 +24,7 @@ use crate::lists::listed;
 use crate::locate::Locator;
 use crate::output::{MatrixFormat, Output};
 use crate::place::Place;
+use crate::progress::Ticker;
 use crate::question::walkable;
 use crate::report::{Report, milliseconds};
 use crate::timing::prepare;
@@ -111,7 +110,7 @@ fn write(
     let fingerprint = fingerprint(solver, question, layout)?;
     let mut sink = Sink::open(&arguments.output, &layout.head(shape), &fingerprint)?;
     let before = sink.rows();
-    let mut ticker = Ticker::new(sources.len(), before);
+    let mut ticker = Ticker::new("rows", sources.len(), before);
     let most = (WAITING / layout.bytes_per_row(columns.len()).max(1)).min(ROWS_PER_THREAD * threads.get());
     let some = most.max(threads.get());
     while sink.rows() < sources.len() {

@@ -11,11 +11,10 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail, ensure};
 use rawzip::Crc32;
 
+use crate::checksum::checksum;
+
 /// What the log begins with, before the fingerprint.
 const MARK: &str = "heatwalk matrix 1";
-
-/// Bytes that are read at once where a block is checked.
-const CHUNK: usize = 1 << 20;
 
 pub struct Part {
     target: PathBuf,
@@ -190,21 +189,4 @@ fn with_suffix(path: &Path, suffix: &str) -> PathBuf {
     let mut name = OsString::from(path);
     name.push(suffix);
     name.into()
-}
-
-/// Of the next bytes of a file; none where there are fewer.
-fn checksum(file: &mut File, length: u64) -> io::Result<Option<u32>> {
-    let (mut checksum, mut left) = (Crc32::new(), length);
-    let mut bytes = vec![0; CHUNK];
-    while left > 0 {
-        let some = &mut bytes[..CHUNK.min(usize::try_from(left).unwrap_or(CHUNK))];
-        match file.read(some)? {
-            0 => return Ok(None),
-            read => {
-                checksum.update(&some[..read]);
-                left -= read as u64;
-            }
-        }
-    }
-    Ok(Some(checksum.checksum()))
 }

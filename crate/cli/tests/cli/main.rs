@@ -1,6 +1,7 @@
 //! The real binary on small files.
 
 mod animations;
+mod batch;
 mod cells;
 mod clouds;
 mod coordinates;

@@ -10,9 +10,10 @@ use crate::complaint::complain;
 const ON_TERMINAL: Duration = Duration::from_millis(500);
 const ELSEWHERE: Duration = Duration::from_secs(10);
 
-/// Tells now and then how many rows there are, and how long the others may take.
+/// Tells now and then how many of something are done, and how long the others may take.
 pub struct Ticker {
-    rows: usize,
+    what: &'static str,
+    all: usize,
     /// Finished by an earlier run.
     before: usize,
     start: Instant,
@@ -22,15 +23,16 @@ pub struct Ticker {
 }
 
 impl Ticker {
-    pub fn new(rows: usize, before: usize) -> Self {
+    /// `what`: what there are so many of; `before` of them were finished by an earlier run.
+    pub fn new(what: &'static str, all: usize, before: usize) -> Self {
         if before > 0 {
-            complain(&format!("{before} of {rows} rows were finished before; going on with the others"));
+            complain(&format!("{before} of {all} {what} were finished before; going on with the others"));
         }
         let start = Instant::now();
-        Self { rows, before, start, told: start, is_terminal: io::stderr().is_terminal(), has_line: false }
+        Self { what, all, before, start, told: start, is_terminal: io::stderr().is_terminal(), has_line: false }
     }
 
-    /// `share` of `some` rows after the `first` ones.
+    /// `share` of `some` after the `first` ones.
     pub fn tell(&mut self, first: usize, some: usize, share: f64) -> ControlFlow<()> {
         let between = if self.is_terminal { ON_TERMINAL } else { ELSEWHERE };
         let done = first as f64 + some as f64 * share;
@@ -39,8 +41,8 @@ impl Ticker {
         }
         self.told = Instant::now();
         let seconds = self.start.elapsed().as_secs_f64();
-        let left = seconds * (self.rows as f64 - done) / (done - self.before as f64);
-        let line = format!("{} of {} rows in {seconds:.0} s, about {left:.0} s left", done as usize, self.rows);
+        let left = seconds * (self.all as f64 - done) / (done - self.before as f64);
+        let line = format!("{} of {} {} in {seconds:.0} s, about {left:.0} s left", done as usize, self.all, self.what);
         if self.is_terminal {
             self.has_line = true;
             // It is no more than progress.
