@@ -13,6 +13,7 @@ use crate::cells::cells;
 use crate::destination::is_standard;
 use crate::distance::distance;
 use crate::fill::fill;
+use crate::index::index;
 use crate::input::Input;
 use crate::isolines::isolines;
 use crate::log_map::log_map;
@@ -56,6 +57,7 @@ fn answer(command: &Command) -> Result<Answer> {
         Command::LogMap(arguments) => log_map(arguments).map(Answer::from),
         Command::Transport(arguments) => transport(arguments).map(Answer::from),
         Command::Pairs(arguments) => pairs(arguments).map(Answer::from),
+        Command::Index(arguments) => index(arguments).map(Answer::from),
         Command::Matrix(arguments) => matrix(arguments).map(Answer::from),
         Command::Batch(arguments) => batch(arguments),
         Command::Table(arguments) => Ok(table(arguments)),

@@ -12,6 +12,7 @@ mod destination;
 mod distance;
 mod fill;
 mod ground;
+mod index;
 mod input;
 mod isolines;
 mod job;

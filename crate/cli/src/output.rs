@@ -7,6 +7,7 @@ use std::sync::Arc;
 use anyhow::{Context, Result, bail, ensure};
 use glam::DVec3;
 use heatwalk::Up;
+use heatwalk_index::Bounds;
 use heatwalk_model::Model;
 use heatwalk_model::io::write;
 use heatwalk_volume::TetSoup;
@@ -45,6 +46,10 @@ pub struct PlacesCsv;
 /// Pairs of places with their distances.
 #[derive(Clone, Copy)]
 pub struct PairsCsv;
+
+/// An index of distances.
+#[derive(Clone, Copy)]
+pub struct IndexFormat;
 
 #[derive(Debug, Clone, Copy)]
 pub enum MatrixFormat {
@@ -206,6 +211,22 @@ impl Output<PairsCsv> {
             let _ = writeln!(text, "{},{},{distance:.16e}", from.in_table(), to.in_table());
         }
         self.save(text.as_bytes())
+    }
+
+    /// The same with what each distance is no less than.
+    pub fn write_bounds(&self, pairs: &[Pair], bounds: &[Bounds]) -> Result<()> {
+        let mut text = String::from("from,to,distance,at_least\n");
+        for (Pair([from, to]), Bounds { lower, upper }) in pairs.iter().zip(bounds) {
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "{},{},{upper:.16e},{lower:.16e}", from.in_table(), to.in_table());
+        }
+        self.save(text.as_bytes())
+    }
+}
+
+impl Output<IndexFormat> {
+    pub fn index(path: &Path) -> Result<Self> {
+        Self::by_extension(path, "indices", &[("hwindex", IndexFormat)])
     }
 }
 

@@ -27,7 +27,8 @@ pub fn code_of(error: &Error) -> &'static str {
 fn code(error: &Error) -> Option<&'static str> {
     let solver = error.chain().find_map(|cause| {
         let volume = || cause.downcast_ref::<heatwalk_volume::Error>().map(heatwalk_volume::Error::code);
-        cause.downcast_ref::<heatwalk::Error>().map(heatwalk::Error::code).or_else(volume)
+        let index = || cause.downcast_ref::<heatwalk_index::Error>().map(heatwalk_index::Error::code);
+        cause.downcast_ref::<heatwalk::Error>().map(heatwalk::Error::code).or_else(volume).or_else(index)
     });
     solver.or_else(|| heatwalk_files::code(error))
 }

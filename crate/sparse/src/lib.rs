@@ -28,6 +28,7 @@ mod system;
 pub use faer::c64;
 
 pub use conjugate_gradients::ConjugateGradients;
+pub use dissection::{Part, Separators};
 pub use error::{Error, Result};
 pub use factor::Factor;
 pub use matrix::SymmetricMatrix;

@@ -22,9 +22,25 @@ pub struct Pairs {
     /// comma
     #[arg(long, value_name = "FILE")]
     pub pairs: PathBuf,
+    /// Answer from an index that heatwalk index has made of this mesh, without a search: pairs of vertices, with bounds
+    #[arg(long, value_name = "FILE")]
+    pub index: Option<PathBuf>,
     /// Write the distances to a .csv file
     #[arg(long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+/// Make an index that answers distances of pairs of vertices at once
+///
+/// Memory holds the index, which is some hundred to a thousand numbers of 32 bits a vertex, and a search for each thread. Components are not joined: paths
+/// cross no bridges.
+#[derive(Args)]
+pub struct Index {
+    #[command(flatten)]
+    pub mesh: Mesh,
+    /// Write the index to this file, for pairs --index
+    #[arg(long, value_name = "FILE")]
+    pub output: PathBuf,
 }
 
 /// Distances from each of many sources, a row each

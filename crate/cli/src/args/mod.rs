@@ -19,7 +19,7 @@ pub use batch::Batch;
 pub use common::{Bridging, Mesh, available};
 pub use directions::{LogMap, Transport};
 pub use fields::{Distance, Isolines, Question, Solving, Table};
-pub use many::{Matrix, Pairs};
+pub use many::{Index, Matrix, Pairs};
 pub use paths::{Loop, Path, Walk};
 pub use samples::{Cells, Mean, Sample};
 pub use volume::Fill;
@@ -61,6 +61,8 @@ pub enum Command {
     Cells(Cells),
     /// Exact distances of pairs of places
     Pairs(Pairs),
+    /// Make an index that answers distances of pairs of vertices at once
+    Index(Index),
     /// Distances from each of many sources, a row each
     Matrix(Matrix),
     /// One command on each of many meshes
@@ -86,6 +88,7 @@ impl Command {
             Self::Transport(command) => (command.output.as_deref(), None),
             Self::Cells(command) => (command.output.as_deref(), command.borders.as_deref()),
             Self::Pairs(command) => (command.output.as_deref(), None),
+            Self::Index(command) => (Some(command.output.as_path()), None),
             Self::Matrix(command) => (Some(command.output.as_path()), None),
             Self::Fill(command) => (command.output.as_deref(), None),
         };
@@ -116,6 +119,7 @@ impl Command {
             | Self::Transport(Transport { mesh, .. })
             | Self::Cells(Cells { mesh, .. })
             | Self::Pairs(Pairs { mesh, .. })
+            | Self::Index(Index { mesh, .. })
             | Self::Matrix(Matrix { mesh, .. })
             | Self::Fill(Fill { mesh, .. }) => Some(mesh),
             Self::Batch(_) | Self::Table(_) => None,
@@ -134,7 +138,7 @@ pub struct Info {
 /// The first paragraph of clap's message, on one line; the rest is its help.
 pub fn in_one_sentence(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return "give a command: info, distance, path, loop, isolines, sample, mean, walk, log-map, transport, cells, pairs, matrix, batch, fill or table; heatwalk --help tells more".to_owned();
+        return "give a command: info, distance, path, loop, isolines, sample, mean, walk, log-map, transport, cells, pairs, index, matrix, batch, fill or table; heatwalk --help tells more".to_owned();
     }
     let text = error.render().to_string();
     let paragraph = text.split("\n\n").next().unwrap_or_default();

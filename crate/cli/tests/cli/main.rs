@@ -11,6 +11,7 @@ mod exact;
 mod files;
 mod fill;
 mod ground;
+mod index;
 mod isolines;
 mod joining;
 mod lists;

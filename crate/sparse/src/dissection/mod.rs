@@ -15,6 +15,8 @@ pub(crate) use graph::Graph;
 use leaf::Leaves;
 use separator::{SEPARATOR, Scratch, Separation};
 
+use crate::pattern::Pattern;
+
 /// Vertices up to which a part is ordered by minimum degree. Measured: smaller leaves cost time and leave no less fill.
 const LEAF: usize = 256;
 
@@ -36,29 +38,70 @@ const BALANCE: f64 = 0.6;
 
 /// An elimination order, the old number of each new one.
 pub(crate) fn nested_dissection(graph: &Graph) -> Vec<u32> {
+    dissected(graph, LEAF).order
+}
+
+fn dissected(graph: &Graph, leaf: usize) -> Dissection<'_> {
     let mut dissection = Dissection {
         whole: graph,
+        leaf,
         scratch: Scratch::default(),
         leaves: Leaves::new(graph.size()),
         order: Vec::with_capacity(graph.size()),
+        parts: Vec::new(),
     };
     let all: Vec<u32> = (0..graph.size() as u32).collect();
     dissection.dissect(graph, &all);
-    dissection.order
+    dissection
+}
+
+/// A graph that is parted again and again by separators.
+#[derive(Debug, Clone)]
+pub struct Separators {
+    /// The unknowns, each part in one piece: first its two sides, then its separator.
+    pub order: Vec<u32>,
+    /// In postorder, so that the sides of a part come before it, and the whole is last.
+    pub parts: Vec<Part>,
+}
+
+/// A part of a graph: places in the order of [`Separators`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Part {
+    /// Where its unknowns begin.
+    pub start: usize,
+    /// Where those of its separator begin. No edge joins two sides of the part; where it has none, all of it is its separator.
+    pub separator: usize,
+    /// Where both end.
+    pub end: usize,
+}
+
+impl Separators {
+    /// Those of the graph of a symmetric matrix, down to parts of `leaf` unknowns at most.
+    #[must_use]
+    pub fn of(pattern: &Pattern, leaf: usize) -> Self {
+        let graph = Graph::of_lower_triangle(pattern);
+        let Dissection { order, parts, .. } = dissected(&graph, leaf);
+        Self { order, parts }
+    }
 }
 
 struct Dissection<'a> {
     whole: &'a Graph,
+    /// Vertices up to which a part is not dissected.
+    leaf: usize,
     scratch: Scratch,
     leaves: Leaves,
     order: Vec<u32>,
+    parts: Vec<Part>,
 }
 
 impl Dissection<'_> {
     /// Appends a part of the whole to the order. `vertices` are the part's numbers in the whole.
     fn dissect(&mut self, part: &Graph, vertices: &[u32]) {
-        if part.size() <= LEAF {
+        let start = self.order.len();
+        if part.size() <= self.leaf {
             self.leaves.order(self.whole, vertices, &mut self.order);
+            self.parts.push(Part { start, separator: start, end: self.order.len() });
             return;
         }
         let Separation { label, weights } = self.separate(part);
@@ -70,7 +113,9 @@ impl Dissection<'_> {
             let numbers: Vec<u32> = side.iter().map(|&v| vertices[v as usize]).collect();
             self.dissect(&part.part(&side), &numbers);
         }
+        let separator = self.order.len();
         self.order.extend(labelled(SEPARATOR).map(|v| vertices[v as usize]));
+        self.parts.push(Part { start, separator, end: self.order.len() });
     }
 
     fn separate(&mut self, graph: &Graph) -> Separation {

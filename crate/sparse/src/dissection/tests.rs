@@ -6,7 +6,6 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use std::collections::BTreeSet;
 
 use super::*;
-use crate::pattern::Pattern;
 
 /// A graph by its edges.
 fn graph(size: usize, edges: &[[u32; 2]]) -> Graph {
@@ -40,7 +39,8 @@ fn grid(side: u32, first: u32) -> Vec<[u32; 2]> {
 
 fn separate(graph: &Graph) -> Separation {
     let leaves = Leaves::new(graph.size());
-    Dissection { whole: graph, scratch: Scratch::default(), leaves, order: Vec::new() }.separate(graph)
+    Dissection { whole: graph, leaf: LEAF, scratch: Scratch::default(), leaves, order: Vec::new(), parts: Vec::new() }
+        .separate(graph)
 }
 
 /// Asserts that no edge joins the parts, and that the weights are those of the labels.
@@ -127,4 +127,39 @@ fn degenerate_graphs_are_ordered() {
 fn the_order_is_the_same_every_time() {
     let graph = graph(2500, &grid(50, 0));
     assert_eq!(nested_dissection(&graph), nested_dissection(&graph));
+}
+
+#[test]
+fn parts_hold_their_sides_and_no_edge_joins_these() {
+    let side = 60;
+    let edges = grid(side, 0);
+    let mut columns = vec![BTreeSet::new(); (side * side) as usize];
+    for &[a, b] in &edges {
+        columns[a.min(b) as usize].insert(a.max(b));
+    }
+    let (mut start, mut rows) = (vec![0], Vec::new());
+    for (column, below) in (0..).zip(&columns) {
+        rows.push(column);
+        rows.extend(below);
+        start.push(rows.len() as u32);
+    }
+    let Separators { order, parts } = Separators::of(&Pattern::new(start, rows).expect("a pattern"), 32);
+    assert_permutation(&graph((side * side) as usize, &edges), order.clone());
+    let mut place_of = vec![0; order.len()];
+    order.iter().enumerate().for_each(|(place, &vertex)| place_of[vertex as usize] = place);
+    assert_eq!(parts.last().map(|part| (part.start, part.end)), Some((0, order.len())));
+    for (number, &Part { start, separator, end }) in parts.iter().enumerate() {
+        if start == separator {
+            assert!(end - start <= 32);
+            continue;
+        }
+        // The second side comes just before its whole, and the first one before all of the second.
+        let middle = parts[number - 1].start;
+        assert!(start < middle && parts[number - 1].end == separator);
+        for &[a, b] in &edges {
+            let [a, b] = [a, b].map(|vertex| place_of[vertex as usize]);
+            let is_across = (start..middle).contains(&a.min(b)) && (middle..separator).contains(&a.max(b));
+            assert!(!is_across, "an edge joins two sides of part {number}");
+        }
+    }
 }
