@@ -38,6 +38,9 @@ pub struct Missing {
     pub vertex: u64,
 }
 
+/// Triangles, and the range of those of each polygon that has more than one.
+type Cut = (Vec<[u32; 3]>, Vec<Range<usize>>);
+
 impl<'a> Polygons<'a> {
     /// None yet.
     pub fn new(budget: &'a Budget) -> Self {
@@ -130,7 +133,7 @@ impl<'a> Polygons<'a> {
         positions: &[DVec3],
         warnings: &mut Warnings,
         place: impl Fn(usize) -> String,
-    ) -> Result<(Vec<[u32; 3]>, Vec<Range<usize>>)> {
+    ) -> Result<Cut> {
         let mut triangles = self.budget.list(self.corners.len().saturating_sub(2 * self.ends.len()))?;
         let (mut corners, mut cut) = (Vec::new(), Vec::new());
         for index in 0..self.ends.len() {
