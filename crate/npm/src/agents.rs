@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DVec3};
 use heatwalk_bindings::{Failure, Message, Result, reporter};
-use heatwalk_scene::{Agent, Obstacle};
+use heatwalk_scene::Obstacle;
 use js_sys::{Function, Object};
 use wasm_bindgen::prelude::*;
 
@@ -93,7 +93,7 @@ impl Agents {
 
     /// What they make way for: of each obstacle three coordinates, three of its velocity, and its radius.
     pub fn set_obstacles(&mut self, numbers: &[f64]) -> Result<()> {
-        let is_bad = |&[.., radius]: &[f64; PER_OBSTACLE]| !(radius >= 0.0);
+        let is_bad = |&[.., radius]: &[f64; PER_OBSTACLE]| radius < 0.0;
         if numbers.iter().any(|number| !number.is_finite()) || numbers.as_chunks().0.iter().any(is_bad) {
             return Err(Failure::of("not-finite", "an obstacle has a number that is not finite, or a negative radius"));
         }
@@ -110,17 +110,21 @@ impl Agents {
     pub fn update(&mut self, seconds: f64) -> Result<AgentPoses> {
         self.0.update(seconds)?;
         let agents = self.0.agents();
-        let vector = |of: fn(&Agent) -> DVec3| agents.iter().flat_map(|agent| of(agent).as_vec3().to_array()).collect();
-        let turned: Vec<_> = agents.iter().map(|agent| (agent.orientation(), agent.position)).collect();
-        let matrix = |&(turn, at)| DMat4::from_rotation_translation(turn, at).as_mat4().to_cols_array();
-        let arrived = agents.iter().enumerate().filter(|(_, agent)| agent.has_arrived);
-        Ok(AgentPoses {
-            positions: vector(|agent| agent.position),
-            orientations: turned.iter().flat_map(|(turn, _)| turn.as_quat().to_array()).collect(),
-            matrices: turned.iter().flat_map(matrix).collect(),
-            velocities: vector(|agent| agent.velocity),
-            arrived: arrived.map(|(number, _)| number as u32).collect(),
-        })
+        let room = |each: usize| Vec::with_capacity(each * agents.len());
+        let (mut positions, mut orientations, mut matrices, mut velocities) = (room(3), room(4), room(16), room(3));
+        let mut arrived = Vec::new();
+        for (number, agent) in (0..).zip(agents) {
+            let turn = agent.orientation();
+            positions.extend_from_slice(&agent.position.as_vec3().to_array());
+            orientations.extend_from_slice(&turn.as_quat().to_array());
+            let matrix = DMat4::from_rotation_translation(turn, agent.position);
+            matrices.extend_from_slice(&matrix.as_mat4().to_cols_array());
+            velocities.extend_from_slice(&agent.velocity.as_vec3().to_array());
+            if agent.has_arrived {
+                arrived.push(number);
+            }
+        }
+        Ok(AgentPoses { positions, orientations, matrices, velocities, arrived })
     }
 }
 

@@ -216,7 +216,10 @@ export const SETTINGS: Record<string, Record<string, Words | Explanation>> = {
       t('The triangles that join the points of a file without faces.'),
       'page#points',
     ),
-    'Mesh edges': about(t('The triangles and polygons of the file.'), 'method#operator-the-intrinsic-delaunay-triangulation'),
+    'Mesh edges': about(
+      t('The triangles and polygons of the file.'),
+      'method#operator-the-intrinsic-delaunay-triangulation',
+    ),
     'Boundary edges': about(t('Edges with a triangle on one side only.'), 'method#boundaries'),
     Contacts: about(t('Where distance crosses from one component to another.'), 'method#components-that-touch'),
     'Operator edges': about(

@@ -16,7 +16,7 @@ use heatwalk::{Costs, Distance, Error, FaceId, Result, Surface, SurfacePoint};
 
 use crate::flow::{Flow, Place};
 use crate::footing::{Footing, turned};
-use grid::Grid;
+use grid::{Grid, Lies};
 use slide::slid;
 
 /// Strength of the force between agents, for lengths in radii and seconds.
@@ -34,7 +34,7 @@ const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 /// Two touch that are so many times as far apart as their radii are long, and go on to do so up to the second of these.
 const TOUCH: [f64; 2] = [1.25, 2.0];
 /// How far agents look, in radii of the largest beside their own way.
-const SIGHT: f64 = 6.0;
+const SIGHT: f64 = 4.0;
 /// Steps after which agents are put in order of their faces again.
 const ORDERED_FOR: usize = 16;
 
@@ -95,8 +95,8 @@ pub struct Agents {
     /// The agents by face, as they stood up to [`ORDERED_FOR`] steps ago: most of what one needs was just used by the one before.
     order: Vec<u32>,
     steps: usize,
-    grid: Grid,
-    obstacle_grid: Grid,
+    seen: Grid<Seen>,
+    in_the_way: Grid<Obstacle>,
     /// Of each agent, for the next step.
     moves: Vec<Move>,
 }
@@ -111,7 +111,31 @@ struct Move {
     is_behind: bool,
 }
 
-/// What an agent sees of another, or of an obstacle.
+/// What an agent sees of another.
+#[derive(Debug, Clone, Copy)]
+struct Seen {
+    number: u32,
+    has_arrived: bool,
+    position: DVec3,
+    velocity: DVec3,
+    upright: DVec3,
+    radius: f64,
+    left: f64,
+}
+
+impl Lies for Seen {
+    fn position(&self) -> DVec3 {
+        self.position
+    }
+}
+
+impl Lies for Obstacle {
+    fn position(&self) -> DVec3 {
+        self.position
+    }
+}
+
+/// What an agent would meet.
 struct Other {
     position: DVec3,
     velocity: DVec3,
@@ -135,8 +159,8 @@ impl Agents {
             obstacles: Vec::new(),
             order: Vec::new(),
             steps: 0,
-            grid: Grid::default(),
-            obstacle_grid: Grid::default(),
+            seen: Grid::new(),
+            in_the_way: Grid::new(),
             moves: Vec::new(),
         }
     }
@@ -232,14 +256,19 @@ impl Agents {
         }
         self.steps += 1;
         let largest = self.agents.iter().map(|agent| agent.radius).fold(0.0, f64::max);
-        let positions: Vec<DVec3> = self.agents.iter().map(|agent| agent.position).collect();
-        self.grid.sort(&positions, SIGHT * largest);
+        let seen = |(number, agent): (usize, &Agent)| {
+            let Agent { has_arrived, position, velocity, upright, radius, left, .. } = *agent;
+            Seen { number: number as u32, has_arrived, position, velocity, upright, radius, left }
+        };
+        let agents: Vec<Seen> = self.agents.iter().enumerate().map(seen).collect();
+        self.seen.sort(&agents, SIGHT * largest);
         let widest = self.obstacles.iter().map(|obstacle| obstacle.radius).fold(0.0, f64::max);
-        let centers: Vec<DVec3> = self.obstacles.iter().map(|obstacle| obstacle.position).collect();
-        self.obstacle_grid.sort(&centers, SIGHT * largest + widest);
+        self.in_the_way.sort(&self.obstacles, SIGHT * largest + widest);
         self.moves.resize(self.agents.len(), Move::default());
-        for &agent in &self.order {
-            self.moves[agent as usize] = self.decided(agent as usize, seconds);
+        // Those in a cube together, who see the same.
+        for k in 0..self.agents.len() {
+            let number = self.seen.things()[k].number as usize;
+            self.moves[number] = self.decided(number, seconds);
         }
         for k in 0..self.order.len() {
             let number = self.order[k] as usize;
@@ -260,18 +289,17 @@ impl Agents {
             force += pushed;
             apart += moved;
         };
-        self.grid.for_each_near(agent.position, |near| {
-            let other = &self.agents[near];
+        self.seen.for_each_near(agent.position, |other| {
+            let Seen { position, velocity, radius, .. } = *other;
             // Those on the other side of a sheet are near in space alone.
-            if near != number && other.upright.dot(agent.upright) > 0.0 {
-                let Agent { position, velocity, radius, .. } = *other;
-                let touches = || position.distance(agent.position) < touch * (radius + agent.radius);
-                is_behind |= other.has_arrived && other.left < agent.left && touches();
+            if other.number as usize != number && other.upright.dot(agent.upright) > 0.0 {
+                is_behind |= other.has_arrived
+                    && other.left < agent.left
+                    && position.distance(agent.position) < touch * (radius + agent.radius);
                 meet(&Other { position, velocity, radius, share: 0.5 });
             }
         });
-        self.obstacle_grid.for_each_near(agent.position, |near| {
-            let Obstacle { position, velocity, radius } = self.obstacles[near];
+        self.in_the_way.for_each_near(agent.position, |&Obstacle { position, velocity, radius }| {
             meet(&Other { position, velocity, radius, share: 1.0 });
         });
         let force = force.clamp_length_max(AGILITY * agent.speed);
