@@ -4,8 +4,6 @@ import { spawnSync } from 'node:child_process';
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { deflateRawSync } from 'node:zlib';
-import { deflateAsync } from '@gfx/zopfli';
-import { build } from 'esbuild';
 import { fail, npmProgram, root } from './steps.mjs';
 
 const source = join(root, 'crate', 'npm', 'package');
@@ -44,7 +42,8 @@ export async function packPackage(isPublished = false) {
 /** A wasm module, deflated, in base64, as text of JavaScript. */
 async function packed(module, name, isPublished) {
   const bytes = readFileSync(join(wasm, module, `${name}_bg.wasm`));
-  const deflated = isPublished ? await deflateAsync(bytes) : deflateRawSync(bytes);
+  // What npm installs is not there before it has.
+  const deflated = isPublished ? await (await import('@gfx/zopfli')).deflateAsync(bytes) : deflateRawSync(bytes);
   return JSON.stringify(Buffer.from(deflated).toString('base64'));
 }
 
@@ -60,6 +59,7 @@ const modulesApart = {
 };
 
 async function bundle(entry, define = {}) {
+  const { build } = await import('esbuild');
   await build({
     entryPoints: [join(source, 'src', `${entry}.ts`)],
     outdir: join(folder, 'dist'),
