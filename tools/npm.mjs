@@ -43,7 +43,7 @@ export async function packPackage(isPublished = false) {
 async function packed(module, name, isPublished) {
   const bytes = readFileSync(join(wasm, module, `${name}_bg.wasm`));
   // What npm installs is not there before it has.
-  const deflated = isPublished ? await (await import('@gfx/zopfli')).deflateAsync(bytes) : deflateRawSync(bytes);
+  const deflated = isPublished ? await (await import('@gfx/zopfli')).deflateAsync(bytes, {}) : deflateRawSync(bytes);
   return JSON.stringify(Buffer.from(deflated).toString('base64'));
 }
 
