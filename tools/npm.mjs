@@ -22,8 +22,9 @@ export async function packPackage(isPublished = false) {
   await bundle('reader', { PACKED_MODULE: await packed('package-reader', 'heatwalk_reader', isPublished) });
   await bundle('worker');
   const WORKER = JSON.stringify(readFileSync(join(folder, 'dist', 'worker.js'), 'utf8'));
-  await bundle('index', { WORKER });
-  await bundle('inline', { WORKER });
+  await bundle('text', { WORKER });
+  await bundle('index');
+  await bundle('inline');
   const types = ['--project', join(source, 'tsconfig.json'), '--outDir', join(folder, 'dist')];
   npmProgram("Writing the npm package's types", 'typescript/bin/tsc', types, named);
   for (const name of ['README.md', 'package.json']) cpSync(join(source, name), join(folder, name));
@@ -47,11 +48,11 @@ async function packed(module, name, isPublished) {
   return JSON.stringify(Buffer.from(deflated).toString('base64'));
 }
 
-/** Modules are files of their own, and all else of an entry is in one. */
-const modulesApart = {
-  name: 'modules-apart',
+/** What is large is in files of its own, and all else of an entry in one. */
+const apart = {
+  name: 'apart',
   setup({ onResolve }) {
-    onResolve({ filter: /^\.\/(solver|reader)\.ts$/ }, ({ path }) => ({
+    onResolve({ filter: /^\.\/(solver|reader|text)\.ts$/ }, ({ path }) => ({
       path: path.replace('.ts', '.js'),
       external: true,
     }));
@@ -68,7 +69,7 @@ async function bundle(entry, define = {}) {
     target: 'es2022',
     minify: true,
     define,
-    plugins: [modulesApart],
+    plugins: [apart],
     logLevel: 'warning',
   });
 }

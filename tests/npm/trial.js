@@ -7,7 +7,11 @@ const indices = [0, 1, 3, 4].flatMap((corner) => [corner, corner + 1, corner + 4
 const SQUARE = 'OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n';
 
 export async function tried() {
-  const mesh = await Mesh.from({ positions: Float32Array.from(positions), indices: Uint16Array.from(indices) });
+  // At once: workers of both may be looked for where there are none.
+  const [mesh] = await Promise.all([
+    Mesh.from({ positions: Float32Array.from(positions), indices: Uint16Array.from(indices) }),
+    Mesh.from({ positions, indices }).then((other) => other.dispose()),
+  ]);
   const distances = Array.from(await mesh.distance(0));
   const path = await mesh.path({ x: 2, y: 2, z: 0 }, 0);
   const controller = new AbortController();

@@ -74,10 +74,12 @@ export class Connection {
         question.opening = { modules: await modules('bytes' in this.#opening), mesh: this.#opening };
         // It may have been aborted meanwhile.
         if (this.#running !== job) return;
-        this.#port = spawn(
+        const port = await spawn(
           (told) => this.#hear(told),
           (reason) => this.#fail(reason),
         );
+        if (this.#running !== job) return port.terminate();
+        this.#port = port;
       }
       this.#port.post(question);
     } catch (error) {

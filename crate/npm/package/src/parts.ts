@@ -7,7 +7,7 @@ export interface Parts {
   solver(): Promise<Packed>;
   reader(): Promise<Packed>;
   /** Of the worker: those after the first are taken where the ones before cannot be loaded. */
-  scripts(): URL[];
+  scripts: (() => Promise<URL>)[];
 }
 
 let parts: Parts | undefined;
@@ -17,7 +17,7 @@ export function provide(given: Parts) {
   parts = given;
 }
 
-export const scripts = (): URL[] => parts?.scripts() ?? [];
+export const scripts = () => parts?.scripts ?? [];
 
 const solver = onDemand(() => parts?.solver());
 const reader = onDemand(() => parts?.reader());

@@ -34,14 +34,14 @@ interface NodeWorker {
 }
 
 /** A worker; `hear` is given what it tells, `fail` why it cannot run. */
-export function spawn(hear: (told: Told) => void, fail: (reason: string) => void): Port {
-  const known = scripts();
-  let current: Port;
+export async function spawn(hear: (told: Told) => void, fail: (reason: string) => void): Promise<Port> {
+  let current: Port | undefined;
   let first: Question | undefined;
-  let hasTold = false;
-  const begin = () => {
-    const script = known[missing];
+  let [hasTold, isOver] = [false, false];
+  const begin = async (number: number) => {
+    const script = await scripts()[number]?.();
     if (!script) throw new HeatwalkError('the worker of the package cannot be loaded', 'no-worker');
+    if (isOver) return;
     current = started(
       script,
       (told) => {
@@ -49,22 +49,27 @@ export function spawn(hear: (told: Told) => void, fail: (reason: string) => void
         hear(told);
       },
       (reason) => {
-        if (hasTold || missing + 1 >= known.length) return fail(reason);
-        // The file is not beside: the text is the same.
-        missing += 1;
-        current.terminate();
-        begin();
-        if (first) current.post(first);
+        current?.terminate();
+        if (hasTold || number + 1 >= scripts().length) return fail(reason);
+        // It is not there: the next one is the same.
+        missing = Math.max(missing, number + 1);
+        begin(number + 1).then(
+          () => first && current?.post(first),
+          (error: unknown) => fail(String(error)),
+        );
       },
     );
   };
-  begin();
+  await begin(missing);
   return {
     post(question) {
       if (!hasTold) first = question;
-      current.post(question);
+      current?.post(question);
     },
-    terminate: () => current.terminate(),
+    terminate() {
+      isOver = true;
+      current?.terminate();
+    },
   };
 }
 

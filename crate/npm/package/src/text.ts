@@ -1,0 +1,4 @@
+declare const WORKER: string;
+
+/** The text of the worker. */
+export default WORKER;
