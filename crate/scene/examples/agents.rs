@@ -1,4 +1,4 @@
-//! Times steps of agents: `cargo run --release -p heatwalk-scene --example agents [COUNT]`.
+//! Times steps of agents: `cargo run --release -p heatwalk-scene --example agents [-- COUNT]`.
 //!
 //! Agents start at random on a bumpy torus of about 100,000 triangles and go to one vertex; steps of a sixtieth of a second.
 
