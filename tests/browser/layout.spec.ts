@@ -84,6 +84,10 @@ test.describe('on a phone', () => {
     const message = await page.getByText('open=kitchen is invalid').boundingBox();
     expect((message?.y ?? 0) + (message?.height ?? 0)).toBeLessThanOrEqual(sheet?.y ?? 0);
 
+    // What has come under the finger with the sheet was not tapped.
+    await heatwalk.settled();
+    expect((await heatwalk.scene()).mesh).toEqual({ kind: 'preset', id: 'bunny' });
+
     await page.setViewportSize({ width: 844, height: 390 });
     // Messages are beside the panel and above the tools, in the place of the hint.
     const panel = await page.locator('.panel').boundingBox();

@@ -26,9 +26,12 @@ export function followSwipes(panel: HTMLElement): void {
       if (!isSwipe && type === 'pointerup') handle.click();
     },
   });
+  // The click that a pointer makes after the sheet has moved may be at what has come under it, which nobody has tapped.
   const drop = (event: MouseEvent) => {
-    const isOfPointer = event.isTrusted && event.detail > 0 && event.timeStamp - ended < CLICK_MS;
-    if (isOfPointer && event.target === handle) event.stopPropagation();
+    if (!event.isTrusted || event.detail === 0 || event.timeStamp - ended > CLICK_MS) return;
+    event.stopPropagation();
+    event.preventDefault();
   };
-  panel.addEventListener('click', drop, true);
+  addEventListener('pointerdown', () => (ended = -Infinity), true);
+  addEventListener('click', drop, true);
 }
