@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use glam::{DVec3, Vec3};
+use heatwalk_base::sort;
 use heatwalk_base::union_find::UnionFind;
 use heatwalk_model::appearance::Run;
 
@@ -168,7 +169,7 @@ impl<'a> Shading<'a> {
     fn sectors(&self, surface: &Surface, vertex: VertexId) -> Vec<(u32, u32, HalfedgeId)> {
         let mut corners: Vec<HalfedgeId> =
             surface.corners_of_vertex(vertex).map(|(face, k)| face.halfedge(k)).collect();
-        corners.sort_unstable();
+        sort::sort(&mut corners);
         let sets = UnionFind::new(corners.len());
         for (index, &corner) in (0..).zip(&corners) {
             // A half-edge is also the corner that it leaves.
@@ -187,7 +188,7 @@ impl<'a> Shading<'a> {
             (least, row, corner)
         };
         let mut sectors: Vec<_> = (0..).zip(&corners).map(sector).collect();
-        sectors.sort_unstable();
+        sort::sort(&mut sectors);
         sectors
     }
 

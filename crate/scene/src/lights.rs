@@ -1,6 +1,7 @@
 //! Lights of a file as the renderer takes them.
 
 use glam::{Vec3, Vec4};
+use heatwalk_base::sort;
 use heatwalk_model::{Light, LightKind};
 
 use crate::transform::DrawTransform;
@@ -38,7 +39,7 @@ pub fn light_rows(lights: &[Light], transform: &DrawTransform, center: Vec3, rad
     };
     rows.retain(|row| arriving(row).is_normal());
     // The brightest first: a renderer draws so many.
-    rows.sort_by(|one, other| arriving(other).total_cmp(&arriving(one)));
+    sort::sort_by(&mut rows, |one, other| arriving(other).total_cmp(&arriving(one)));
     let exposure = EXPOSURE / rows.iter().map(arriving).sum::<f32>();
     for [_, _, color] in &mut rows {
         *color = (exposure * color.truncate()).extend(color.w);

@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use heatwalk_base::csr::{Csr, NONE};
 use heatwalk_base::parallel::{self, Numbers};
+use heatwalk_base::sort;
 
 use crate::element::{Element, FaceId, HalfedgeId, VertexId};
 
@@ -65,14 +66,14 @@ impl Edges {
                     let apex = |halfedge: HalfedgeId| origin(faces, halfedge.previous_in_triangle());
                     apexes.clear();
                     apexes.extend(halfedges.map(|halfedge| (apex(halfedge), halfedge.triangle())));
-                    apexes.sort_unstable();
+                    sort::sort(&mut apexes);
                     duplicates.extend(apexes.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1));
                 }
             }
             duplicates
         });
         let mut duplicates = duplicates.concat();
-        duplicates.sort_unstable();
+        sort::sort(&mut duplicates);
         duplicates.dedup();
         (Self { next: next.into_elements() }, duplicates)
     }

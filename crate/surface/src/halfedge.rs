@@ -4,6 +4,7 @@ use std::num::NonZeroUsize;
 
 use heatwalk_base::csr::NONE;
 use heatwalk_base::parallel;
+use heatwalk_base::sort;
 
 use crate::edges::Corners;
 use crate::element::{CutVertex, CutVertexData, Element, FaceId, HalfedgeId, VertexId};
@@ -60,7 +61,7 @@ impl HalfedgeMesh {
             cut
         });
         let mut cut = cut.concat();
-        cut.sort_unstable();
+        sort::sort(&mut cut);
         let mut is_done = vec![false; cut.len()];
         for index in 0..cut.len() {
             if is_done[index] {

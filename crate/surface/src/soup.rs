@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use glam::DVec3;
+use heatwalk_base::sort;
 
 use crate::error::{Error, Result};
 use crate::terrain::is_terrain;
@@ -319,7 +320,7 @@ fn complement(ranges: &[Range<usize>], count: usize) -> Vec<Range<usize>> {
 /// The triangles of some parts, as ranges, ascending.
 fn joined(parts: &[Part]) -> Vec<Range<usize>> {
     let mut ranges: Vec<Range<usize>> = parts.iter().flat_map(|part| part.ranges.iter().cloned()).collect();
-    ranges.sort_unstable_by_key(|range| range.start);
+    sort::sort_by_key(&mut ranges, |range| range.start);
     let mut joined = Part::new("");
     ranges.into_iter().for_each(|range| joined.add(range));
     joined.ranges

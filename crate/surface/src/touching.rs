@@ -5,6 +5,7 @@ use std::collections::HashSet;
 
 use glam::DVec3;
 use heatwalk_base::csr::NONE;
+use heatwalk_base::sort;
 use heatwalk_base::union_find::UnionFind;
 
 use crate::edges::{Corners, Edges};
@@ -91,7 +92,7 @@ impl<I: Fn(HalfedgeId) -> InputVertex> Fans<'_, I> {
             let neighbours = [face[(k + 1) % 3], face[(k + 2) % 3]].map(Common::Neighbour);
             keys.extend(neighbours.into_iter().chain([Common::Input((self.input)(corner))]).map(|key| (key, index)));
         }
-        keys.sort_unstable();
+        sort::sort(keys);
         let sets = UnionFind::new(corners.len());
         for pair in keys.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
             sets.join(pair[0].1 as u32, pair[1].1 as u32);
@@ -101,7 +102,7 @@ impl<I: Fn(HalfedgeId) -> InputVertex> Fans<'_, I> {
         if fans.iter().all(|&(first, _)| first == 0) {
             return None;
         }
-        fans.sort_unstable();
+        sort::sort(fans);
         let of_fan = |fan: &[(u32, usize)]| fan.iter().map(|&(_, index)| corners[index]).collect();
         Some(fans.chunk_by(|a, b| a.0 == b.0).map(of_fan).collect())
     }
@@ -118,7 +119,7 @@ impl<I: Fn(HalfedgeId) -> InputVertex> Fans<'_, I> {
         for (_, corners) in self.corners.rows() {
             of_inputs.clear();
             of_inputs.extend(corners.iter().map(|&corner| ((self.input)(corner), corner.triangle())));
-            of_inputs.sort_unstable();
+            sort::sort(&mut of_inputs);
             for pair in of_inputs.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
                 components.join(pair[0].1.0, pair[1].1.0);
             }

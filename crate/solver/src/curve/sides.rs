@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
+use heatwalk_base::sort;
 use heatwalk_surface::Place;
 
 use crate::directions::Plane;
@@ -97,7 +98,7 @@ impl Angles {
             Some((plane.angle(&heading).rem_euclid(TAU), begins))
         };
         let mut rays: Vec<(f64, bool)> = joint.rays.iter().filter_map(angle).collect();
-        rays.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort::sort_by(&mut rays, |a, b| a.0.total_cmp(&b.0));
         Ok(Self { plane, rays })
     }
 

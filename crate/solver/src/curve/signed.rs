@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use heatwalk_base::sort;
 use heatwalk_sparse::Progress;
 use heatwalk_surface::{Element, FaceId, Place, Surface, ToPoint, VertexData};
 
@@ -151,12 +152,12 @@ fn cross(geometry: &ExactGeometry, segments: &[Segment]) -> bool {
     for segment in segments {
         let frame = geometry.frame(segment.face);
         let mut ends = segment.ends.map(|weights| frame.place(0, weights));
-        ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        sort::sort_by(&mut ends, |a, b| a[0].total_cmp(&b[0]));
         of_faces.entry(segment.face).or_default().push(ends);
     }
     of_faces.values_mut().any(|lines| {
         // Along the first side of the face, so that few are compared.
-        lines.sort_by(|a, b| a[0][0].total_cmp(&b[0][0]));
+        sort::sort_by(lines, |a, b| a[0][0].total_cmp(&b[0][0]));
         lines.iter().enumerate().any(|(first, line)| {
             let beside = lines[first + 1..].iter().take_while(|other| other[0][0] <= line[1][0]);
             beside.into_iter().any(|other| divides(line, other) && divides(other, line))

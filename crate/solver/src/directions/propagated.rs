@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
+use heatwalk_base::sort;
 use heatwalk_sparse::{Progress, Stage, c64, report};
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{Element, ToPoint, VertexData, VertexId};
@@ -45,7 +46,7 @@ pub fn propagated_log_map(
     let distances = propagation.values();
     let is_open = |vertex: &VertexId| directions[vertex.index()].re.is_nan() && distances[*vertex].is_finite();
     let mut open: Vec<VertexId> = surface.vertices().filter(is_open).collect();
-    open.sort_by(|&a, &b| distances[a].total_cmp(&distances[b]));
+    sort::sort_by(&mut open, |&a, &b| distances[a].total_cmp(&distances[b]));
     for vertex in open {
         directions[vertex.index()] = onward(surface, vertex, distances, &directions);
     }

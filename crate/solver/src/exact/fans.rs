@@ -7,6 +7,7 @@
 
 use std::collections::BTreeMap;
 
+use heatwalk_base::sort;
 use heatwalk_surface::HalfedgeId;
 use heatwalk_surface::edges::{EdgeNames, Edges};
 
@@ -67,7 +68,7 @@ impl Fans {
 
     /// Takes what has been gathered, the nearest first.
     pub fn take(&mut self) -> Vec<Leaving> {
-        self.gathered.sort_by(|a, b| a.nearest.total_cmp(&b.nearest));
+        sort::sort_by(&mut self.gathered, |a, b| a.nearest.total_cmp(&b.nearest));
         std::mem::take(&mut self.gathered)
     }
 

@@ -1,5 +1,6 @@
 //! Points of the surface, beside its vertices, that searches come upon.
 
+use heatwalk_base::sort;
 use heatwalk_surface::Place;
 
 /// A point in one of the faces that it lies on.
@@ -28,7 +29,7 @@ impl PointsInFaces {
             faces_at(place).into_iter().map(move |(face, weights)| PointInFace { face, weights, point })
         };
         let mut entries: Vec<PointInFace> = places.iter().enumerate().flat_map(of_point).collect();
-        entries.sort_unstable_by_key(|entry| (entry.face, entry.point));
+        sort::sort_by_key(&mut entries, |entry| (entry.face, entry.point));
         let faces = entries.last().map_or(0, |last| last.face as usize + 1);
         let mut occupied = vec![0; faces.div_ceil(64)];
         for entry in &entries {

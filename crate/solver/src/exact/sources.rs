@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use heatwalk_base::sort;
 use heatwalk_surface::VertexId;
 
 use super::geometry::{Bend, ExactGeometry, Frame, Side, Turn, after, before};
@@ -99,7 +100,7 @@ impl Wavefront {
     /// Lights faces from points of them, each face from all of its points together: of many sources in one place, windows of one after
     /// another would be divided among all before.
     fn light_faces(&mut self, mut lights: Vec<Light>) {
-        lights.sort_by_key(|light| light.face);
+        sort::sort_by_key(&mut lights, |light| light.face);
         for of_face in lights.chunk_by(|a, b| a.face == b.face) {
             self.light_from_inside(of_face[0].face, of_face);
         }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use heatwalk_base::sort;
 use heatwalk_base::union_find::UnionFind;
 use heatwalk_sparse::Functional;
 use heatwalk_surface::VertexId;
@@ -47,7 +48,7 @@ impl Constraint {
                 rim.extend(corners.into_iter().filter_map(|vertex| Some((vertex, value(vertex)?))));
             }
         }
-        rim.sort_unstable_by_key(|&(vertex, _)| vertex);
+        sort::sort_by_key(&mut rim, |&(vertex, _)| vertex);
         rim.dedup_by_key(|&mut (vertex, _)| vertex);
         let mut rims: BTreeMap<u32, Vec<(u32, f64)>> = BTreeMap::new();
         for (vertex, value) in rim {

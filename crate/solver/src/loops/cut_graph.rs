@@ -5,6 +5,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use heatwalk_base::csr::NONE;
+use heatwalk_base::sort;
 use heatwalk_base::union_find::UnionFind;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{CutVertex, Element, FaceId, HalfedgeId, HalfedgeMesh, VertexData, triangle};
@@ -134,7 +135,7 @@ pub(super) fn least_loops(surface: &Surface, tree: &Tree, caps: Caps) -> Vec<Hal
         .filter(|halfedge| is_left[halfedge.index()])
         .map(|halfedge| (rows.least(halfedge.0), tree.length(surface, halfedge).to_bits(), halfedge))
         .collect();
-    least.sort_unstable();
+    sort::sort(&mut least);
     least.dedup_by_key(|&mut (row, ..)| row);
     least.into_iter().map(|(.., halfedge)| halfedge).collect()
 }

@@ -5,6 +5,7 @@
 use std::collections::HashMap;
 
 use heatwalk_base::csr::NONE;
+use heatwalk_base::sort;
 use heatwalk_surface::{Element, FaceId, HalfedgeId, HalfedgeMesh, Path};
 
 use super::cut_graph::Tree;
@@ -88,7 +89,7 @@ impl Cocycles {
 
 /// Of these the shortest whose classes are independent, the shortest first.
 pub(super) fn independent(mut found: Vec<(Path, Class)>) -> Vec<(Path, Class)> {
-    found.sort_by(|(a, _), (b, _)| a.length().total_cmp(&b.length()));
+    sort::sort_by(&mut found, |(a, _), (b, _)| a.length().total_cmp(&b.length()));
     // By the place of their first bit; no other has a bit there that comes after it.
     let mut reduced: HashMap<usize, Class> = HashMap::new();
     found.retain(|(_, class)| {

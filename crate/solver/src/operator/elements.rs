@@ -1,5 +1,6 @@
 //! Linear elements: each triangle, given by the lengths of its sides, laid out in a plane of its own.
 
+use heatwalk_base::sort;
 use heatwalk_surface::triangle;
 
 use crate::error::{Error, Result};
@@ -125,7 +126,7 @@ impl Elements {
             [([a.min(b), a.max(b)], ab), ([b.min(c), b.max(c)], bc), ([c.min(a), c.max(a)], ca)]
         });
         let mut edges: Vec<([u32; 2], f64)> = sides.collect();
-        edges.sort_unstable_by(|(ends, length), (others, other)| ends.cmp(others).then(length.total_cmp(other)));
+        sort::sort_by(&mut edges, |(ends, length), (others, other)| ends.cmp(others).then(length.total_cmp(other)));
         edges.dedup_by(|(ends, length), (others, other)| ends == others && *length <= *other * (1.0 + tolerance));
         edges
     }

@@ -4,6 +4,7 @@
 //! (2006); Sharp and Crane, "A Laplacian for nonmanifold triangle meshes" (2020), sections 3.1 (mollification) and 3.3.
 
 use heatwalk_base::csr::NONE;
+use heatwalk_base::sort;
 use heatwalk_surface::surface::Surface;
 use heatwalk_surface::{Element as _, FaceId, HalfedgeId, VertexId, triangle};
 
@@ -384,7 +385,7 @@ fn sort_around(surface: &Surface, sides: &mut [u32]) {
     let (x, y) = (out(sides[0]), axis.cross(out(sides[0])));
     let angle = |slot: u32| out(slot).dot(y).atan2(out(slot).dot(x));
     let mut around: Vec<(f64, u32)> = sides.iter().map(|&side| (angle(side), side)).collect();
-    around.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    sort::sort_by(&mut around, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     for (side, (_, sorted)) in sides.iter_mut().zip(around) {
         *side = sorted;
     }

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use heatwalk_base::sort;
 use heatwalk_surface::edges::EdgeNames;
 use heatwalk_surface::{Place, Source};
 
@@ -27,7 +28,7 @@ pub(super) fn going(geometry: &ExactGeometry, sources: &[Source]) -> Option<Vec<
             on_edges.push((on_first(&mut names, surface, (halfedge, fraction)), number));
         }
     }
-    on_edges.sort_by_key(|&((edge, _), _)| edge);
+    sort::sort_by_key(&mut on_edges, |&((edge, _), _)| edge);
     let mut goes = vec![true; sources.len()];
     for of_edge in on_edges.chunk_by(|a, b| a.0.0 == b.0.0) {
         let faces = surface.edges().around(of_edge[0].0.0).count();

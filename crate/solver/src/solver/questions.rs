@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 
 use crate::error::{Error, Result};
+use heatwalk_base::sort;
 use heatwalk_sparse::{Progress, Stage};
 
 /// The answers to questions `0..count`, in their order. Each worker has a thread, the first one the caller's, and takes the
@@ -59,6 +60,6 @@ pub(super) fn answers<W: Send, A: Send>(
         }
         answered
     });
-    answered.sort_unstable_by_key(|&(question, _)| question);
+    sort::sort_by_key(&mut answered, |&(question, _)| question);
     answered.into_iter().map(|(_, answer)| answer).collect()
 }

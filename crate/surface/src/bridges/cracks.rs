@@ -5,6 +5,7 @@ use std::collections::HashSet;
 
 use glam::DVec3;
 use heatwalk_base::parallel;
+use heatwalk_base::sort;
 
 use super::Portal;
 use super::scene::{Scene, cuts};
@@ -133,7 +134,7 @@ pub fn across_cracks(scene: &Scene, most: f64) -> (Across, bool) {
         portals_between(scene, [first, second], most, &mut |portal| found.push((components, first.halfedge, portal)));
         found.len() - before
     });
-    found.sort_by_key(|&(components, halfedge, _)| (components, halfedge));
+    sort::sort_by_key(&mut found, |&(components, halfedge, _)| (components, halfedge));
     // Both edges at a vertex tell of it.
     let mut known = HashSet::new();
     found.retain(|(.., portal)| {

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::num::NonZeroUsize;
 
 use heatwalk_base::parallel;
+use heatwalk_base::sort;
 use heatwalk_base::union_find::UnionFind;
 
 use super::cracks::across_cracks;
@@ -75,7 +76,7 @@ impl Bridges {
         if report.components > 1 {
             let (candidates, are_all) = between_components(&scene, rule, most);
             found.extend(contacts(&scene, &candidates));
-            found.sort_by_key(|&(components, _)| components);
+            sort::sort_by_key(&mut found, |&(components, _)| components);
             is_complete &= are_all;
         }
         Self { is_complete, ..Self::new(surface, found) }
@@ -127,7 +128,7 @@ pub fn contacts(scene: &Scene, found: &[Candidate]) -> Vec<([u32; 2], Vec<Portal
     let gap = |candidate: &Candidate| if candidate.gap <= scene.rounding { 0.0 } else { candidate.gap };
     let runs = || found.chunk_by(|a, b| a.components == b.components);
     let mut pairs: Vec<[u32; 2]> = runs().map(|run| run[0].components).collect();
-    pairs.sort_unstable();
+    sort::sort(&mut pairs);
     pairs.dedup();
     // By contact, gap and place. Of numbers above 0, and of 0, the bits are in the order of the numbers.
     let mut order: Vec<u128> = Vec::with_capacity(found.len());
@@ -137,7 +138,7 @@ pub fn contacts(scene: &Scene, found: &[Candidate]) -> Vec<([u32; 2], Vec<Portal
             order.push(contact << 96 | u128::from(gap(candidate).to_bits()) << 32 | order.len() as u128);
         }
     }
-    order.sort_unstable();
+    sort::sort(&mut order);
     let contacts = order.chunk_by(|a, b| a >> 96 == b >> 96);
     let own = |keys: &[u128]| keys.iter().map(|&key| &found[key as u32 as usize]).collect::<Vec<_>>();
     contacts.map(own).map(|own| (own[0].components, portals(scene, &own))).collect()

@@ -7,6 +7,7 @@
 use std::collections::HashMap;
 
 use heatwalk_base::parallel;
+use heatwalk_base::sort;
 use heatwalk_base::union_find::UnionFind;
 
 use super::budget::{Budget, STEPS_OF_PAIR};
@@ -129,7 +130,7 @@ fn spanning_tree(hierarchy: &Hierarchy, group_of_component: &[u32], budget: &Bud
             }
         }
         if tree.len() == before {
-            tree.sort_by(|a, b| a.gap.total_cmp(&b.gap).then(a.components.cmp(&b.components)));
+            sort::sort_by(&mut tree, |a, b| a.gap.total_cmp(&b.gap).then(a.components.cmp(&b.components)));
             return (tree, are_least);
         }
     }

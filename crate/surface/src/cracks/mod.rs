@@ -14,6 +14,7 @@ use std::collections::BinaryHeap;
 
 use glam::DVec3;
 use heatwalk_base::csr::NONE;
+use heatwalk_base::sort;
 
 use crate::edges::{Corners, Edges};
 use crate::element::{Element, HalfedgeId, VertexId};
@@ -114,7 +115,7 @@ impl<'a> Rims<'a> {
             WeldRule::Within(width) => 0.5 * (width / half_diagonal),
         };
         let mut vertices: Vec<u32> = halfedges.iter().flat_map(|&halfedge| triangles.ends(halfedge)).collect();
-        vertices.sort_unstable();
+        sort::sort(&mut vertices);
         vertices.dedup();
         let mut place = vec![NONE; positions.len()];
         for (&vertex, number) in vertices.iter().zip(0..) {
@@ -194,7 +195,7 @@ impl<'a> Rims<'a> {
             [a.min(b), a.max(b)]
         };
         let mut keys: Vec<([u32; 2], u32)> = self.ends.iter().map(|&ends| key(ends)).zip(0..).collect();
-        keys.sort_unstable();
+        sort::sort(&mut keys);
         let edges = keys.chunk_by(|a, b| a.0 == b.0).filter(|edge| edge.len() > 1);
         edges.map(|edge| edge.iter().map(|&(_, halfedge)| halfedge).collect()).collect()
     }
@@ -215,7 +216,7 @@ impl<'a> Rims<'a> {
                 layered.extend(self.ends_of(edge));
             }
         }
-        layered.sort_unstable();
+        sort::sort(&mut layered);
         layered.dedup();
         layered
     }

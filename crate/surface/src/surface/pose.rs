@@ -1,6 +1,7 @@
 //! A surface in other poses: the same connectivity over other positions.
 
 use glam::DVec3;
+use heatwalk_base::sort;
 
 use super::{Surface, SurfaceId};
 use crate::element::{VertexData, VertexId};
@@ -30,7 +31,7 @@ impl Surface {
             triangle::area_vector([a, b, c].map(|vertex| positions[vertex])) == DVec3::ZERO
         };
         let mut collapsed: Vec<VertexId> = self.faces.iter().filter(has_no_area).flatten().copied().collect();
-        collapsed.sort_unstable();
+        sort::sort(&mut collapsed);
         collapsed.dedup();
         let origin = self.positions[VertexId(0)];
         for vertex in collapsed {

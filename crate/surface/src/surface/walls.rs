@@ -3,6 +3,7 @@
 
 use heatwalk_base::csr::Csr;
 use heatwalk_base::parallel;
+use heatwalk_base::sort;
 
 use super::connectivity::{Connectivity, component_count};
 use super::{Surface, SurfaceId};
@@ -72,7 +73,7 @@ impl Surface {
                 // Those of all sectors for each would be as many as the square of the faces there.
                 let mut inputs: Vec<InputVertex> =
                     sector.iter().map(|corner| self.inputs_of_face(corner.triangle())[corner.corner()]).collect();
-                inputs.sort_unstable();
+                sort::sort(&mut inputs);
                 inputs.dedup();
                 inputs_of_copies.push(inputs);
                 for corner in sector {

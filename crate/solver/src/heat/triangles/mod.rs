@@ -9,6 +9,7 @@ mod upwind;
 use std::sync::Arc;
 
 use glam::DVec3;
+use heatwalk_base::sort;
 use heatwalk_surface::{FaceId, HalfedgeId, Source, Surface, VertexId};
 
 use crate::cost::Costs;
@@ -127,7 +128,7 @@ impl HeatDiscretization for Triangles {
             return None;
         }
         let mut vertices: Vec<u32> = surface.vertices().map(|vertex| vertex.0).collect();
-        vertices.sort_unstable_by_key(|&vertex| first_input(VertexId(vertex)));
+        sort::sort_by_key(&mut vertices, |&vertex| first_input(VertexId(vertex)));
         Some(vertices)
     }
 
