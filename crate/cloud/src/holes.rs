@@ -1,6 +1,7 @@
 //! Small holes between triangles that fit together, filled.
 
 use glam::DVec3;
+use heatwalk_base::sort;
 
 use crate::circle::circumradius;
 use crate::fans::Fans;
@@ -37,7 +38,7 @@ fn cut_ears(fans: &mut Fans<'_>, positions: &[DVec3], mut around: Vec<u32>) {
         let ear = |k: usize| [around[(k + 1) % count], around[k], around[(k + count - 1) % count]];
         let radius = |k: &usize| circumradius(ear(*k).map(|vertex| positions[vertex as usize])).to_bits();
         let mut order: Vec<usize> = (0..count).collect();
-        order.sort_by_key(radius);
+        sort::sort_by_key(&mut order, radius);
         let fitting = order.iter().copied().find(|&k| fans.take(ear(k)));
         let cut = fitting.or_else(|| order.into_iter().find(|&k| fans.take_unless_folded(ear(k), folded)));
         match cut {

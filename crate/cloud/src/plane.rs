@@ -2,6 +2,7 @@
 //! reconstruction from unorganized points", 1992).
 
 use glam::{DMat3, DVec2, DVec3};
+use heatwalk_base::sort;
 
 /// Neighbours that tell how far apart points are.
 const NEAREST: usize = 6;
@@ -76,7 +77,7 @@ fn normal(offsets: impl Iterator<Item = (DVec3, f64)> + Clone) -> Option<DVec3> 
     let spread = offsets.fold(start, |spread, (at, weight)| spread + outer(at - mean) * weight);
     let (values, vectors) = eigen(spread);
     let mut order = [0, 1, 2];
-    order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+    sort::sort_by(&mut order, |&a, &b| values[a].total_cmp(&values[b]));
     let [least, middle, most] = order;
     (values[middle] > LINE * values[most]).then(|| vectors.col(least).normalize())
 }

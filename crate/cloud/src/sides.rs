@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 use heatwalk_base::csr::NONE;
+use heatwalk_base::sort;
 use heatwalk_base::union_find::UnionFind;
 
 use crate::outward::Outward;
@@ -136,7 +137,7 @@ impl Sides {
         let is_open = |&side: &u32| self.other(side).is_none();
         let mut open: Vec<(u32, u32)> =
             (0..self.0.len() as u32).filter(is_open).map(|side| (start_of(triangles, side), side)).collect();
-        open.sort_unstable();
+        sort::sort(&mut open);
         let mut is_seen = vec![false; open.len()];
         let mut loops = Vec::new();
         // Of the points of a walk.

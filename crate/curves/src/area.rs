@@ -1,5 +1,6 @@
 //! How much of a surface is nearer than a value.
 
+use heatwalk_base::sort;
 use heatwalk_surface::triangle;
 
 use crate::field::Field;
@@ -14,7 +15,7 @@ pub fn enclosed(field: &Field, levels: &Levels) -> Vec<f64> {
     for index in 0..field.triangles().len() {
         let Some(mut distances) = field.corner_distances(index) else { continue };
         let area = 0.5 * triangle::length(triangle::area_vector(field.corners(index)));
-        distances.sort_by(f64::total_cmp);
+        sort::sort_by(&mut distances, f64::total_cmp);
         let first = values.partition_point(|&value| value <= distances[0]);
         let end = values.partition_point(|&value| value < distances[2]);
         for level in first..end {

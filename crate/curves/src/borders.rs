@@ -7,6 +7,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use glam::DVec3;
+use heatwalk_base::sort;
 use heatwalk_surface::triangle;
 
 use crate::field::Field;
@@ -152,7 +153,7 @@ impl<E, F: FnMut(u32, [f64; 3]) -> Result<Option<u32>, E>> Tracing<F> {
                 };
                 long.extend(sides(part.corners).into_iter().filter(is_long).map(|side| (side, part.origin)));
             }
-            long.sort_unstable();
+            sort::sort(&mut long);
             long.dedup_by_key(|&mut (side, _)| side);
             if long.is_empty() {
                 break;

@@ -1,5 +1,7 @@
 //! The values whose isolines are wanted.
 
+use heatwalk_base::sort;
+
 use crate::error::{Error, MOST_LEVELS, Result};
 
 /// Distances that differ by no more than this share of the largest one are the same: along different ways around a mesh, rounding
@@ -23,7 +25,7 @@ impl Levels {
             return Err(Error::TooManyLevels { levels: values.len() as f64 });
         }
         let mut values = values.to_vec();
-        values.sort_by(f64::total_cmp);
+        sort::sort_by(&mut values, f64::total_cmp);
         // Equality of numbers, so that −0 is 0.
         values.dedup_by(|a, b| a == b);
         if values.is_empty() {

@@ -10,6 +10,7 @@ use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 use glam::DVec3;
+use heatwalk_base::sort;
 use heatwalk_surface::triangle;
 
 use crate::field::{Field, longest};
@@ -180,7 +181,7 @@ impl<'a> Refinement<'a> {
                 ends.extend(sides(part.corners).map(|side| (side, part.origin)));
             }
         }
-        ends.sort_unstable();
+        sort::sort(&mut ends);
         ends.dedup_by_key(|&mut (side, _)| side);
         ends
     }

@@ -1,6 +1,7 @@
 //! The strips of a surface unrolled and laid side by side.
 
 use glam::DVec2;
+use heatwalk_base::sort;
 
 use crate::error::{MAX_DEFECT, NotDevelopable, Result};
 use crate::field::Field;
@@ -96,7 +97,7 @@ impl Sheet {
         let width = area.sqrt().max(widest);
         let gap = GAP * width;
         let mut order: Vec<usize> = (0..planes.len()).collect();
-        order.sort_by(|&a, &b| sizes[b].y.total_cmp(&sizes[a].y));
+        sort::sort_by(&mut order, |&a, &b| sizes[b].y.total_cmp(&sizes[a].y));
         let (mut at, mut row, mut size) = (DVec2::splat(gap), 0.0_f64, DVec2::ZERO);
         for index in order {
             if at.x > gap && at.x + sizes[index].x > width + gap {

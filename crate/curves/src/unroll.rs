@@ -13,6 +13,7 @@ use std::collections::BinaryHeap;
 use std::f64::consts::{PI, TAU};
 
 use glam::{DVec2, DVec3};
+use heatwalk_base::sort;
 use heatwalk_base::union_find::UnionFind;
 use heatwalk_surface::triangle;
 
@@ -68,7 +69,7 @@ pub(crate) fn pieces<'a>(field: &'a Field, strips: &'a Strips, strip: usize) -> 
                 }
             }
         }
-        members.sort_unstable();
+        sort::sort(&mut members);
         let members = members.into_iter().map(|triangle| (range.start + triangle, is_turned[triangle]));
         pieces.push(Piece::new(field, strips, strip, members));
     }

@@ -215,23 +215,23 @@ impl<T: Scalar, E: Entry<T>> Work for ForwardSparse<'_, T, E> {
     fn run<const FUSED: bool>(self) -> Vec<SparseVector<T>> {
         let Self { factor, rights } = self;
         let mut x = vec![[T::ZERO; LANES]; factor.symbolic.size()];
-        // Every supernode that is touched, with the right sides that touch it.
-        let mut touched: Vec<(u32, u32)> = Vec::new();
+        // Every supernode that is touched, above the right sides that touch it: whole numbers are sorted soonest.
+        let mut touched: Vec<u64> = Vec::new();
         for (lane, right) in rights.iter().enumerate() {
             for &(row, value) in *right {
                 x[factor.unknown(row)][lane] += value;
             }
-            touched.extend(factor.reach(right).into_iter().map(|index| (index, lane as u32)));
+            touched.extend(factor.reach(right).into_iter().map(|index| u64::from(index) << 32 | lane as u64));
         }
         touched.sort_unstable();
         let mut vectors = vec![SparseVector::default(); rights.len()];
         let mut change = Vec::new();
-        for lanes in touched.chunk_by(|a, b| a.0 == b.0) {
-            let (supernode, block) = factor.block(lanes[0].0 as usize);
+        for lanes in touched.chunk_by(|a, b| a >> 32 == b >> 32) {
+            let (supernode, block) = factor.block((lanes[0] >> 32) as usize);
             substitution::forward_lanes::<T, E, LANES, FUSED>(&supernode, block, &mut x, &mut change);
             let own = &x[supernode.start..supernode.start + supernode.width];
-            for &(_, lane) in lanes {
-                vectors[lane as usize].push(supernode.start, own.iter().map(|values| values[lane as usize]));
+            for lane in lanes.iter().map(|&pair| pair as u32 as usize) {
+                vectors[lane].push(supernode.start, own.iter().map(|values| values[lane]));
             }
         }
         vectors

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use heatwalk_base::csr::distribute;
 use heatwalk_base::parallel;
+use heatwalk_base::sort;
 
 use crate::appearance::Seams;
 
@@ -25,7 +26,7 @@ pub fn seams(
     let compare = |a: &u32, b: &u32| order(*a as usize, *b as usize);
     for vertex in 0..vertices {
         let corners = &mut corners[start[vertex] as usize..start[vertex + 1] as usize];
-        corners.sort_unstable_by(compare);
+        sort::sort_by(corners, compare);
         for equal in corners.chunk_by(|a, b| compare(a, b).is_eq()) {
             let corner = Some(equal[0] as usize);
             if rows[vertex].is_none() {

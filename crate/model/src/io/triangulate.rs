@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 use heatwalk_base::parallel;
+use heatwalk_base::sort;
 use heatwalk_surface::index::along_curve;
 use heatwalk_surface::{WarningCode, Warnings};
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation, mitigate_underflow};
@@ -229,7 +230,7 @@ fn delaunay(corners: Vec<Corner>) -> Option<Delaunay> {
     let place = |number: usize| DVec3::new(corners[number].point.x, corners[number].point.y, 0.0);
     let mut order = along_curve(corners.len(), place, parallel::ONE);
     // Multiples of the golden ratio are spread evenly: half of them begin with no zero, a quarter with one.
-    order.sort_by_key(|number| Reverse(number.wrapping_mul(0x9e37_79b9).leading_zeros()));
+    sort::sort_by_key(&mut order, |number| Reverse(number.wrapping_mul(0x9e37_79b9).leading_zeros()));
     let mut delaunay = Delaunay::new();
     for number in order {
         delaunay.insert(corners[number as usize]).ok()?;
@@ -251,7 +252,7 @@ fn cut(plane: &[DVec2]) -> Option<Vec<[usize; 3]>> {
         a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
     };
     let mut sorted: Vec<usize> = (0..points.len()).collect();
-    sorted.sort_by(by_place);
+    sort::sort_by(&mut sorted, by_place);
     let mut first_there = vec![0; points.len()];
     let mut corners = Vec::with_capacity(points.len());
     for same in sorted.chunk_by(|a, b| points[*a] == points[*b]) {
@@ -304,6 +305,6 @@ fn cut(plane: &[DVec2]) -> Option<Vec<[usize; 3]>> {
         }
     }
     // As the corners run, so that what is near in the file stays near.
-    inside.sort_unstable_by_key(|corners| *corners.iter().min().unwrap_or(&0));
+    sort::sort_by_key(&mut inside, |corners| *corners.iter().min().unwrap_or(&0));
     (!inside.is_empty()).then_some(inside)
 }

@@ -8,6 +8,7 @@ mod hierarchy;
 mod state;
 
 use glam::{DVec3, Vec3};
+use heatwalk_base::sort;
 use heatwalk_surface::{Error as SurfaceError, Result as SurfaceResult};
 
 use crate::error::{Error, Result};
@@ -139,7 +140,7 @@ impl Motion {
         let mut deformers = Vec::with_capacity(self.deformers.len());
         let mut count = 0;
         let mut by_vertices: Vec<&Deformer> = self.deformers.iter().collect();
-        by_vertices.sort_unstable_by_key(|deformer| deformer.vertices.start);
+        sort::sort_by_key(&mut by_vertices, |deformer| deformer.vertices.start);
         for deformer in by_vertices {
             while kept.next_if(|&vertex| vertex < deformer.vertices.start).is_some() {
                 count += 1;

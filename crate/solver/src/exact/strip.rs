@@ -1,6 +1,8 @@
 //! Strips: what a straight segment of a curve lights by parallel rays, at a right angle to it. Distance along an edge is linear there
 //! (Bommes & Kobbelt, "Accurate computation of geodesic distance fields for polygonal curves on triangle meshes", 2007).
 
+use heatwalk_base::sort;
+
 use super::geometry::Side;
 use super::overlap::zero;
 use super::window::{Beam, GRAZE, length};
@@ -207,7 +209,7 @@ impl Lost {
         }
         if !self.of_beams.is_empty() {
             // Windows may overlap by slivers.
-            self.of_beams.sort_by_key(|lost| lost.0);
+            sort::sort_by_key(&mut self.of_beams, |lost| lost.0);
             self.beams.clear();
             for_each_left(
                 beams.iter().map(|beam| (beam.begin, beam.end)),

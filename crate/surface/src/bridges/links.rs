@@ -184,7 +184,7 @@ fn nearest_places(hierarchy: &Hierarchy, set: &[u32], budget: &Budget) -> (Vec<O
                     let first = waiting.len();
                     waiting.extend(children.zip(hierarchy.boxes(node).squared_distances(around)));
                     // What is nearest is looked at first, so last in.
-                    waiting[first..].sort_unstable_by(|a, b| b.1.total_cmp(&a.1));
+                    sort::sort_by(&mut waiting[first..], |a, b| b.1.total_cmp(&a.1));
                 }
             }
         }
