@@ -34,6 +34,14 @@ export function bundle(folder = 'dist') {
   npmProgram('Bundling the page', 'vite/bin/vite.js', args, named);
 }
 
+/** The site that is published, in dist/. */
+export function buildSite() {
+  bundle();
+  const types = ['--ignoreConfig', '--declaration', '--emitDeclarationOnly', '--strict', '--target', 'es2024'];
+  const place = ['--module', 'esnext', '--outDir', 'dist', 'web/embed.ts'];
+  npmProgram('Writing the types of dist/embed.js', 'typescript/bin/tsc', [...types, ...place], named);
+}
+
 /** The same in one file. */
 export function bundleSingle(folder = 'dist-single') {
   const args = [

@@ -1,7 +1,7 @@
 // The tests of the Python package, and that it can be installed.
 
 import { cpSync, mkdirSync, readdirSync, rmSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { NUMPY, requirePython, SCIPY } from './peers.mjs';
 import { cargo, root, run } from './steps.mjs';
 
@@ -36,7 +36,7 @@ export function testPackage(packages) {
   run('Comparing them with the module', python, ['-m', 'mypy.stubtest', 'heatwalk'], named, paths);
 }
 
-/** Builds the package as pip does, from this checkout and from what would be published of its sources, and tries both. */
+/** Builds the package as pip does, from this checkout and from what would be published of its sources, and tries both; gives the files. */
 export function buildPackages() {
   const tool = requirePython(MATURIN, NUMPY, SCIPY, SCIPY_STUBS, PYTEST, MYPY);
   const made = join(target, 'python-packages');
@@ -50,12 +50,13 @@ export function buildPackages() {
     join(source, 'Cargo.toml'),
   ]);
   maturin('Packing its sources', ['sdist', '--manifest-path', join(source, 'Cargo.toml')]);
-  for (const kind of ['.whl', '.tar.gz']) {
-    const environment = join(made, kind === '.whl' ? 'of-wheel' : 'of-sources');
+  const files = readdirSync(made).map((name) => join(made, name));
+  for (const file of files) {
+    const environment = join(made, file.endsWith('.whl') ? 'of-wheel' : 'of-sources');
     const python = join(environment, 'bin', 'python');
-    const file = readdirSync(made).find((name) => name.endsWith(kind));
     run('Making a Python environment', tool, ['-m', 'venv', environment], named);
-    run(`Installing ${file}`, python, ['-m', 'pip', 'install', '--quiet', join(made, file), SCIPY, PYTEST], named);
+    run(`Installing ${basename(file)}`, python, ['-m', 'pip', 'install', '--quiet', file, SCIPY, PYTEST], named);
     run('Testing it', python, ['-m', 'pytest', '--quiet', '-p', 'no:cacheprovider', join(source, 'tests')], named);
   }
+  return files;
 }

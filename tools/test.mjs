@@ -15,6 +15,7 @@ import {
   TESTED_PAGE,
 } from './bundle.mjs';
 import { checkFormat, checkSpelling, lintPage, lintWhileCompiling } from './checks.mjs';
+import { packCrates } from './crates.mjs';
 import { findFirefox, findMesa, findShell, findWebKit, hasSoftwareVulkan, prepare, requireChromium } from './needs.mjs';
 import { packPackage } from './npm.mjs';
 import { findReaders } from './peers.mjs';
@@ -74,6 +75,7 @@ if (isSlow) {
   cargo('Running the Rust tests', ['test', ...most, '--lib', '--bins', '--tests', ...all], named, gpu);
   await hasDocumentation();
   testPackage(most);
+  packCrates();
   cargo('Running the tests of the build steps', ['test', '--package', 'xtask'], named);
   cargo("Running the solver's tests on wasm32", ['xtask', 'test-wasm'], named);
   await testPage();

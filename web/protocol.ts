@@ -7,7 +7,7 @@
 
 import type { LengthUnit, ModelArea, ModelLength, ModelVolume, WithLengths } from './length';
 import type { Parameters, PathKind, Stage } from './wasm/contract';
-import type * as curves from './wasm/curves/heatwalk_curves';
+import type * as writer from './wasm/writer/heatwalk_writer';
 import type * as interior from './wasm/interior/heatwalk_interior';
 import type * as wasm from './wasm/solver/heatwalk_worker';
 
@@ -300,7 +300,7 @@ export interface IsolineWish {
   spacing: ModelLength;
 }
 
-export type IsolineRow = WithLengths<curves.IsolineRow, 'value' | 'length', 'area'>;
+export type IsolineRow = WithLengths<writer.IsolineRow, 'value' | 'length', 'area'>;
 
 /** Isolines of a field. */
 export interface Isolines {

@@ -72,6 +72,13 @@ macro_rules! coded {
 coded!(heatwalk::Error, heatwalk::surface::Error, heatwalk_model::Error);
 #[cfg(feature = "cloud")]
 coded!(heatwalk_cloud::Error);
+/// Which of them it is the page knows from what it asked.
+#[cfg(feature = "curves")]
+impl From<heatwalk_curves::Error> for Failure {
+    fn from(error: heatwalk_curves::Error) -> Self {
+        Self::misuse(&error.to_string())
+    }
+}
 #[cfg(feature = "volume")]
 coded!(heatwalk_volume::Error, heatwalk_volume::fill::Error, heatwalk_volume::io::Error);
 

@@ -3,11 +3,12 @@
 //! A [`Field`] is a surface with a value at each vertex, linear on each triangle; [`Field::refined`] divides triangles where the
 //! distance that it stands for is not. [`Levels`] are the values whose isolines are
 //! wanted; [`Isolines::trace`] finds the curves, [`Strips::cut`] the strips between them, [`Sheet::unroll`] their plane
-//! shapes; [`Borders`] are those of cells, and [`decal`] lays an image on a surface. [`mod@write`] makes files of curves. On the page this is a wasm module of its own, loaded when one is asked for.
+//! shapes; [`Borders`] are those of cells, and [`decal`] lays an image on a surface. [`mod@write`]
+//! makes files of curves.
 
 mod area;
 mod borders;
-mod clip;
+pub mod clip;
 mod decal;
 mod division;
 mod error;
@@ -18,8 +19,6 @@ mod refine;
 mod sheet;
 mod strips;
 mod unroll;
-#[cfg(all(target_arch = "wasm32", feature = "page"))]
-mod web;
 pub mod write;
 
 pub use borders::{Borders, Tile};

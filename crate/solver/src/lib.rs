@@ -79,6 +79,8 @@ mod room;
 mod sampling;
 pub mod solver;
 
+/// What positions and directions are made of, in the version that is used here.
+pub use glam;
 /// Linear algebra, which knows no surface.
 pub use heatwalk_sparse as sparse;
 /// The surface and all that it is made of.

@@ -103,14 +103,8 @@ pub const READER: Module =
 /// Shapes, which the worker loads with the first of them.
 pub const MAKER: Module = Module { name: "maker", package: "heatwalk-maker", file: "heatwalk_maker", ..READER };
 
-/// Isolines and files of distances, which the worker loads where one is wanted.
-pub const CURVES: Module = Module {
-    name: "curves",
-    package: "heatwalk-curves",
-    features: &["heatwalk-curves/page"],
-    file: "heatwalk_curves",
-    ..INTERIOR
-};
+/// Curves on surfaces, and files, which the worker loads where one is wanted.
+pub const WRITER: Module = Module { name: "writer", package: "heatwalk-writer", file: "heatwalk_writer", ..INTERIOR };
 
 /// The solver of the npm package.
 const NPM: Module = Module {
@@ -130,7 +124,7 @@ pub const PACKAGE: [&Module; 2] =
     [&NPM, &Module { name: "package-reader", package: READER.package, file: READER.file, is_restartable: true, ..NPM }];
 
 /// Modules that are compiled at once, so that what they share is compiled once; the one that the page begins with first.
-const TOGETHER: [&Module; 5] = [&SOLVER, &READER, &MAKER, &CURVES, &BASIS];
+const TOGETHER: [&Module; 5] = [&SOLVER, &READER, &MAKER, &WRITER, &BASIS];
 /// It would be half as large again with what the others ask of the crates that all build on.
 const APART: [&Module; 1] = [&INTERIOR];
 /// The two are one package with different features.

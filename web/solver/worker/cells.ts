@@ -1,7 +1,7 @@
 /** Cells of sources; loaded with the first of them. */
 import { ofModel } from '../../length';
 import type { CellWish, CurveFile, FoundCells, SpreadWish } from '../../protocol';
-import type * as curves from '../../wasm/curves/heatwalk_curves';
+import type * as writer from '../../wasm/writer/heatwalk_writer';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
 import { nextWork, SLICE_MS, stopwatch } from './clock';
 import { loaded } from './curves';
@@ -10,12 +10,12 @@ import type { Bytes } from './files';
 import { FIRST_WORK, type ShownAs } from './mesh';
 
 /** The search under way, or that ended last; on which surface, and the question under way. */
-let last: { finder: curves.CellFinder; surface: curves.ExactSurface; question: number | null } | undefined;
+let last: { finder: writer.CellFinder; surface: writer.ExactSurface; question: number | null } | undefined;
 /** The cells found last. */
-let found: curves.Cells | undefined;
+let found: writer.Cells | undefined;
 let work = FIRST_WORK;
 
-async function finderOn(surface: curves.ExactSurface): Promise<NonNullable<typeof last>> {
+async function finderOn(surface: writer.ExactSurface): Promise<NonNullable<typeof last>> {
   const { CellFinder } = await loaded();
   if (last?.surface === surface) return last;
   last?.finder.free();

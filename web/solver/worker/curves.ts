@@ -11,8 +11,8 @@ import type {
 } from '../../protocol';
 import { type LengthUnit, MODEL, typed } from '../../length';
 import { fileName } from '../../files/paths';
-import type * as curves from '../../wasm/curves/heatwalk_curves';
-import curvesAddress from '../../wasm/curves/heatwalk_curves_bg.wasm?url';
+import type * as writer from '../../wasm/writer/heatwalk_writer';
+import writerAddress from '../../wasm/writer/heatwalk_writer_bg.wasm?url';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
 import { moduleOnDemand } from './demand';
 import { type Bytes, filesOf, unpackedOf, withFiles } from './files';
@@ -22,7 +22,7 @@ import { through } from './through';
 /** In place of the vertex that one of the input became, where no triangle uses it. */
 const NONE = 0xffffffff;
 
-export const loaded = moduleOnDemand(() => import('../../wasm/curves/heatwalk_curves.js'), curvesAddress);
+export const loaded = moduleOnDemand(() => import('../../wasm/writer/heatwalk_writer.js'), writerAddress);
 
 /** The distances at places, in a unit; nothing where they are not known. */
 function distancesAt(
@@ -41,7 +41,7 @@ interface Tracing<T> {
   unit: LengthUnit;
   /** Where it is exact. */
   alongDistance: boolean;
-  make: (found: curves.Curves) => T;
+  make: (found: writer.Curves) => T;
 }
 
 async function traced<T>(
@@ -62,7 +62,7 @@ async function traced<T>(
 }
 
 /** What is made of curves, whose memory is free afterwards. */
-function used<T>(found: curves.Curves, make: (found: curves.Curves) => T): T {
+function used<T>(found: writer.Curves, make: (found: writer.Curves) => T): T {
   try {
     return make(found);
   } finally {
@@ -75,7 +75,7 @@ async function cutBy<T>(
   solver: wasm.Solver,
   { normal, offset }: Plane,
   unit: LengthUnit,
-  make: (found: curves.Curves) => T,
+  make: (found: writer.Curves) => T,
 ): Promise<T> {
   const { Curves } = await loaded();
   const positions = scaled(solver.positions(), unit);
@@ -108,7 +108,7 @@ export function isolineEnds(
   wish: IsolineWish,
   { transform, between }: ShownAs,
 ): Promise<Float32Array> {
-  const make = (found: curves.Curves) => found.ends(transform);
+  const make = (found: writer.Curves) => found.ends(transform);
   return traced(solver, { wish, unit: MODEL, alongDistance: between !== undefined, make });
 }
 
@@ -116,7 +116,7 @@ export function isolines(solver: wasm.Solver, wish: IsolineWish): Promise<Isolin
   return traced(solver, { wish, unit: MODEL, alongDistance: true, make: tableOf });
 }
 
-function tableOf(found: curves.Curves): Isolines {
+function tableOf(found: writer.Curves): Isolines {
   return { rows: found.rows() as IsolineRow[], isTrue: found.is_true };
 }
 
@@ -126,7 +126,7 @@ export function curveFile(
   { kind, towardEye, unit }: CurveFile,
   { transform }: ShownAs,
 ): Promise<SavedCurves> {
-  const make = (found: curves.Curves): SavedCurves => {
+  const make = (found: writer.Curves): SavedCurves => {
     const bytes =
       kind === 'svg' || kind === 'pdf'
         ? found.picture(kind, Float64Array.from(towardEye), transform.up, unit.symbol)

@@ -1,6 +1,6 @@
 /** Images on the surface; loaded with the first of them. */
 import type { DecalWish, LaidDecal } from '../../protocol';
-import type * as curves from '../../wasm/curves/heatwalk_curves';
+import type * as writer from '../../wasm/writer/heatwalk_writer';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
 import { nextWork, SLICE_MS, stopwatch } from './clock';
 import { loaded } from './curves';
@@ -8,7 +8,7 @@ import { exactSurface } from './exact';
 import { FIRST_WORK, type ShownAs } from './mesh';
 
 /** What was asked last: on which surface, and around which place the search is under way. */
-let last: { on: curves.ExactSurface; surface: curves.DecalSurface; place: string } | undefined;
+let last: { on: writer.ExactSurface; surface: writer.DecalSurface; place: string } | undefined;
 let work = FIRST_WORK;
 
 /** One step; null: it is not laid yet, and the next call goes on. */

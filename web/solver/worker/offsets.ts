@@ -1,7 +1,7 @@
 /** Distance from curves as wholes, on both sides; loaded with the first of them. */
 import { ofModel } from '../../length';
 import type { CurveDistances, CurveFile, CurveWish } from '../../protocol';
-import type * as curves from '../../wasm/curves/heatwalk_curves';
+import type * as writer from '../../wasm/writer/heatwalk_writer';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
 import { loaded } from './curves';
 import { exactSurface } from './exact';
@@ -9,7 +9,7 @@ import type { Bytes } from './files';
 import type { ShownAs } from './mesh';
 
 /** What was found last. */
-let found: curves.CurveDistance | undefined;
+let found: writer.CurveDistance | undefined;
 
 export async function curveDistances(
   solver: wasm.Solver,

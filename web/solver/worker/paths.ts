@@ -1,7 +1,7 @@
 /** Curves of paths on the surface; loaded when they are first wanted. */
 import { ofModel } from '../../length';
 import type { CurveFile, FoundPaths, PathCurves, PathWish } from '../../protocol';
-import type * as curves from '../../wasm/curves/heatwalk_curves';
+import type * as writer from '../../wasm/writer/heatwalk_writer';
 import type * as wasm from '../../wasm/solver/heatwalk_worker';
 import { loaded } from './curves';
 import { exactSurface } from './exact';
@@ -9,7 +9,7 @@ import type { Bytes } from './files';
 import type { ShownAs } from './mesh';
 
 /** What was found last. */
-const found = new Map<PathCurves, curves.Paths>();
+const found = new Map<PathCurves, writer.Paths>();
 
 export async function pathCurves(solver: wasm.Solver, wish: PathWish, { transform }: ShownAs): Promise<FoundPaths> {
   const { kind, places } = wish;
@@ -22,10 +22,10 @@ export async function pathCurves(solver: wasm.Solver, wish: PathWish, { transfor
 }
 
 function pathsOf(
-  surface: curves.ExactSurface,
+  surface: writer.ExactSurface,
   kind: PathCurves,
   { triangles, weights }: PathWish['places'],
-): curves.Paths {
+): writer.Paths {
   if (kind === 'loops') return surface.handle_loops();
   return kind === 'loop' ? surface.loop_through(triangles, weights) : surface.bezier(triangles, weights);
 }

@@ -7,9 +7,8 @@ use heatwalk::exact::ExactGeometry;
 use heatwalk::{DistanceSolver, FaceId, Place, Soup, Surface, Walls, WeldRule};
 use heatwalk_base::parallel;
 use heatwalk_bindings::{Failure, Result};
+use heatwalk_curves::Field;
 use wasm_bindgen::prelude::*;
-
-use crate::field::Field;
 
 /// A surface on which exact distances are found. A copy has the same triangles, ready to be searched.
 #[wasm_bindgen]

@@ -6,8 +6,8 @@ use heatwalk_bindings::{Failure, Result, transform};
 use heatwalk_surface::triangle;
 use wasm_bindgen::prelude::*;
 
-use super::files::in_file;
-use super::surface::ExactSurface;
+use crate::files::in_file;
+use crate::surface::ExactSurface;
 
 #[wasm_bindgen]
 impl ExactSurface {

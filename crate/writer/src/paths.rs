@@ -2,12 +2,11 @@
 
 use heatwalk::{Error, Path, bezier, geodesic_loop, go_on, handle_loops};
 use heatwalk_bindings::{Result, transform};
+use heatwalk_curves::{Curve, Field, Isoline, Isolines, Kind, PathKind};
 use wasm_bindgen::prelude::*;
 
-use super::files::{FileUnit, scaled_file};
-use super::surface::ExactSurface;
-use crate::field::Field;
-use crate::isolines::{Curve, Isoline, Isolines, Kind, PathKind};
+use crate::files::{FileUnit, scaled_file};
+use crate::surface::ExactSurface;
 
 /// Curves of paths on a surface.
 #[wasm_bindgen]

@@ -2,18 +2,11 @@
 
 use glam::DVec3;
 use heatwalk_bindings::{Failure, Message, Result, transform};
+use heatwalk_curves::{Field, Isoline, Isolines, Kind, Levels, MOST_ROUNDS, Places, Refined, Sheet, Strips, write};
 use js_sys::{Float64Array, Function, Uint32Array};
 use wasm_bindgen::prelude::*;
 
-use super::files::{curve_file, picture, unit_of, without_unit};
-use crate::error::Error;
-use crate::field::Field;
-use crate::isolines::{Isoline, Isolines, Kind};
-use crate::levels::Levels;
-use crate::refine::{MOST_ROUNDS, Places, Refined};
-use crate::sheet::Sheet;
-use crate::strips::Strips;
-use crate::write;
+use crate::files::{curve_file, picture, unit_of, without_unit};
 
 /// Isolines of a field, and all that is made of them.
 #[wasm_bindgen]
@@ -40,12 +33,6 @@ pub struct IsolineRow {
     pub curves: usize,
     /// How many of them are closed.
     pub closed: usize,
-}
-
-impl From<Error> for Failure {
-    fn from(error: Error) -> Self {
-        Self::misuse(&error.to_string())
-    }
 }
 
 #[wasm_bindgen]

@@ -3,11 +3,11 @@
 use glam::DVec3;
 use heatwalk::Soup;
 use heatwalk_bindings::{Failure, Resource, Result, resources};
+use heatwalk_curves::write;
 use heatwalk_model::{Model, io};
 use wasm_bindgen::prelude::*;
 
-use super::files::FileUnit;
-use crate::write;
+use crate::files::FileUnit;
 
 /// A file of distances, one a vertex: "csv", "npy", "ply" or "glb", or "weights.ply" with vertex colors. `positions` are `#V × 3`,
 /// `triangles` `#F × 3`. All lengths are told in this unit.

@@ -3,13 +3,11 @@
 use glam::{DVec2, DVec3};
 use heatwalk::{LogMapSearch, Soup, Up};
 use heatwalk_bindings::{Failure, Result};
+use heatwalk_curves::{Division, Field, Patch, decal};
 use wasm_bindgen::prelude::*;
 
-use super::files::in_file;
-use super::surface::{ExactSurface, no_triangle};
-use crate::decal::{Patch, decal};
-use crate::division::Division;
-use crate::field::Field;
+use crate::files::in_file;
+use crate::surface::{ExactSurface, no_triangle};
 
 /// Edges longer than this share of an image are divided: between their ends the map need not be linear.
 const LONGEST: f64 = 0.125;

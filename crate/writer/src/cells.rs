@@ -2,12 +2,11 @@
 
 use heatwalk::{CellMap, CellSearch, Place, SampleCount, Source, farthest_samples, go_on, mean, relaxed};
 use heatwalk_bindings::{Failure, Result, transform};
+use heatwalk_curves::{Borders, Field};
 use wasm_bindgen::prelude::*;
 
-use super::files::{FileUnit, scaled_file};
-use super::surface::{ExactSurface, no_triangle};
-use crate::borders::Borders;
-use crate::field::Field;
+use crate::files::{FileUnit, scaled_file};
+use crate::surface::{ExactSurface, no_triangle};
 
 /// The search for cells on a surface.
 #[wasm_bindgen]

@@ -3,11 +3,8 @@
 use glam::DVec3;
 use heatwalk::{Unit, Up};
 use heatwalk_bindings::{Failure, Result};
+use heatwalk_curves::{Field, Isolines, write};
 use wasm_bindgen::prelude::*;
-
-use crate::field::Field;
-use crate::isolines::Isolines;
-use crate::write;
 
 /// What lengths in a file are told in.
 #[derive(Clone, Copy)]

@@ -5,16 +5,13 @@ use std::sync::Arc;
 use heatwalk::exact::ExactGeometry;
 use heatwalk::{Curve, Place, Sign, SignedDistance, go_on, signed_curve_distance};
 use heatwalk_bindings::{Failure, Result, transform};
+use heatwalk_curves::{Field, Isolines, Levels, MOST_ROUNDS, Places, Refined, is_continuous};
 use heatwalk_surface::triangle;
 use wasm_bindgen::prelude::*;
 
-use super::files::{FileUnit, scaled_file};
-use super::surface::{ExactSurface, Kept};
-use crate::clip::{WHOLE, below, fan};
-use crate::field::{Field, is_continuous};
-use crate::isolines::Isolines;
-use crate::levels::Levels;
-use crate::refine::{MOST_ROUNDS, Places, Refined};
+use crate::files::{FileUnit, scaled_file};
+use crate::surface::{ExactSurface, Kept};
+use heatwalk_curves::clip::{WHOLE, below, fan};
 
 /// Triangles that are searched for isolines that follow the distance itself, at most, all searches together.
 const SEARCHED: usize = 1_000_000;
