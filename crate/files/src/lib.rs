@@ -29,13 +29,13 @@ pub fn read_surface_or_points(path: &Path) -> Result<Model> {
     open(path, |file| surface_of(&file, path, heatwalk_cloud::read_within))
 }
 
-/// Reads the surface of bytes that are not on the disk, in which nothing else is referred to. The extension of `name` tells the format
+/// As [`read_surface_or_points`], of bytes that are not on the disk, in which nothing else is referred to. The extension of `name` tells the format
 /// where the first bytes do not.
 ///
 /// # Errors
 /// With the name, what is wrong with the bytes.
-pub fn surface_of_bytes(name: &str, bytes: &[u8]) -> Result<Model> {
-    open::opened(Path::new(name), bytes, None, |file| surface_of(&file, Path::new(name), io::read_within))
+pub fn surface_or_points_of_bytes(name: &str, bytes: &[u8]) -> Result<Model> {
+    open::opened(Path::new(name), bytes, None, |file| surface_of(&file, Path::new(name), heatwalk_cloud::read_within))
 }
 
 /// The tetrahedra of a file; none where it is of a format of surfaces, or its cells are those of a surface.

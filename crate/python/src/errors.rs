@@ -49,7 +49,7 @@ macro_rules! coded {
     };
 }
 
-coded!(heatwalk::Error, heatwalk::surface::Error, heatwalk_model::Error);
+coded!(heatwalk::Error, heatwalk::surface::Error, heatwalk_cloud::Error, heatwalk_index::Error, heatwalk_model::Error);
 
 impl From<heatwalk::UnknownChoice> for Failure {
     fn from(unknown: heatwalk::UnknownChoice) -> Self {

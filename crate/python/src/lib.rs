@@ -5,10 +5,12 @@
 
 mod answers;
 mod arrays;
+mod cloud;
 mod curves;
 mod directions;
 mod distance;
 mod errors;
+mod index;
 mod interrupt;
 mod mesh;
 mod named;
@@ -25,6 +27,8 @@ use pyo3::prelude::*;
 fn _heatwalk(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add_class::<mesh::Mesh>()?;
+    module.add_class::<cloud::PointCloud>()?;
+    module.add_class::<index::Index>()?;
     module.add_function(wrap_pyfunction!(read::read, module)?)?;
     module.add_function(wrap_pyfunction!(read::shape, module)?)
 }

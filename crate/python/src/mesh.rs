@@ -26,9 +26,9 @@ use crate::turn::Turns;
 #[derive(Debug, Clone, Default)]
 pub struct Options {
     weld: WeldRule,
-    bridges: BridgeRule,
-    links: usize,
-    threads: Option<NonZeroUsize>,
+    pub bridges: BridgeRule,
+    pub links: usize,
+    pub threads: Option<NonZeroUsize>,
     /// Of each triangle.
     costs: Option<Vec<f64>>,
     /// Triangles that nobody enters.
@@ -77,7 +77,7 @@ pub fn checked_threads(threads: Option<usize>) -> Result<Option<NonZeroUsize>> {
 ///
 /// Raises HeatwalkError for arrays of another shape or type, coordinates that are not finite, indices out of range, and where no
 /// triangle is left. Pickled, it is its arrays and options.
-#[pyclass(frozen, module = "heatwalk")]
+#[pyclass(frozen, subclass, module = "heatwalk")]
 pub struct Mesh {
     soup: Soup,
     options: Options,
@@ -102,6 +102,10 @@ impl Mesh {
     /// As the caller gave it.
     pub fn soup(&self) -> &Soup {
         &self.soup
+    }
+
+    pub fn options(&self) -> &Options {
+        &self.options
     }
 
     pub fn surface(&self) -> &Arc<Surface> {

@@ -144,10 +144,10 @@ def test_files_that_are_no_meshes_are_refused(tmp_path: Path) -> None:
     with pytest.raises(OSError, match="not a file"):
         heatwalk.read(tmp_path)
     with pytest.raises(HeatwalkError, match="not a mesh format") as caught:
-        heatwalk.read(b"what is this?", name="a.xyz")
+        heatwalk.read(b"what is this?", name="a.what")
     assert caught.value.code == "unknown-format"
     with pytest.raises(HeatwalkError) as caught:
-        heatwalk.read(b"v 0 0 0\n", name="a.obj")
+        heatwalk.read(b"# nothing\n", name="a.obj")
     assert caught.value.code == "empty"
     with pytest.raises(TypeError, match="neither a path nor bytes"):
         heatwalk.read(5)

@@ -13,6 +13,7 @@ packages.
 
 from heatwalk._answers import (
     Answer,
+    Bounds,
     Cells,
     Curve,
     Isoline,
@@ -26,19 +27,22 @@ from heatwalk._answers import (
     Walk,
 )
 from heatwalk._errors import HeatwalkError
-from heatwalk._heatwalk import Mesh, __version__, read, shape
+from heatwalk._heatwalk import Index, Mesh, PointCloud, __version__, read, shape
 
 __all__ = [
     "Answer",
+    "Bounds",
     "Cells",
     "Curve",
     "HeatwalkError",
+    "Index",
     "Isoline",
     "LogMap",
     "Mean",
     "Mesh",
     "Path",
     "Place",
+    "PointCloud",
     "Samples",
     "Snapped",
     "TangentFrames",

@@ -31,6 +31,15 @@ class Answer(NamedTuple):
     """Windows that crossed a face; 0 by heat."""
 
 
+class Bounds(NamedTuple):
+    """Distances of pairs, as an index knows them."""
+
+    distances: Floats
+    """(k,), lengths of paths, which shortest ones do not exceed; inf where none leads from one to the other."""
+    at_least: Floats
+    """(k,), what distances are no less than."""
+
+
 class Path(NamedTuple):
     """A path on a surface, straight from point to point."""
 

@@ -6,11 +6,11 @@ from typing import Any, Literal, TypeAlias, TypedDict, final, type_check_only
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from typing_extensions import Unpack
+from typing_extensions import Unpack, disjoint_base
 
-from heatwalk._answers import Answer, Cells, Isoline, LogMap, Mean, Path, Samples, Snapped, TangentFrames, Walk
+from heatwalk._answers import Answer, Bounds, Cells, Isoline, LogMap, Mean, Path, Samples, Snapped, TangentFrames, Walk
 
-__all__ = ["Mesh", "__version__", "read", "shape"]
+__all__ = ["Index", "Mesh", "PointCloud", "__version__", "read", "shape"]
 
 __version__: str
 
@@ -46,7 +46,7 @@ def read(
     threads: int | None = None,
 ) -> Mesh: ...
 def shape(name: str) -> Mesh: ...
-@final
+@disjoint_base
 class Mesh:
     def __new__(
         cls,
@@ -176,3 +176,26 @@ class Mesh:
     ) -> Mean: ...
     def __getnewargs_ex__(self) -> tuple[tuple[_Floats, _Integers], dict[str, Any]]: ...
     def __copy__(self) -> Mesh: ...
+@final
+class PointCloud(Mesh):
+    def __new__(
+        cls,
+        points: ArrayLike,
+        normals: ArrayLike | None = None,
+        *,
+        bridges: float | Literal["auto", "off"] | None = None,
+        links: int = 0,
+        threads: int | None = None,
+    ) -> PointCloud: ...
+    @property
+    def joined(self) -> dict[str, int]: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[_Floats], dict[str, Any]]: ...  # type: ignore[override]
+@final
+class Index:
+    def __new__(cls, mesh: Mesh, *, threads: int | None = None, progress: _Progress | None = None) -> Index: ...
+    @staticmethod
+    def load(path: str | PathLike[str], mesh: Mesh) -> Index: ...
+    def save(self, path: str | PathLike[str]) -> None: ...
+    def distance(self, starts: ArrayLike, ends: ArrayLike) -> Bounds: ...
+    @property
+    def labels(self) -> int: ...

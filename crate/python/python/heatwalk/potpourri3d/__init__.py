@@ -2,9 +2,11 @@
 
 What differs: vertices that nothing reaches are infinitely far; distances from curves and log maps are exact; the paths that `find_geodesic_path`
 gives are the shortest; with the default `t_coef` heat flows for a time that is chosen for the mesh, which is more accurate. Errors
-are ValueErrors with a sentence. Point clouds, polygons and loops raise NotImplementedError.
+are ValueErrors with a sentence. Points are joined by triangles (`heatwalk.PointCloud`). Polygons and local triangulations raise
+NotImplementedError.
 """
 
+from heatwalk.potpourri3d._clouds import PointCloudHeatSolver, read_point_cloud, write_point_cloud
 from heatwalk.potpourri3d._contours import MeshMarchingTrianglesSolver, marching_triangles
 from heatwalk.potpourri3d._distance import (
     MeshFastMarchingDistanceSolver,
@@ -15,14 +17,7 @@ from heatwalk.potpourri3d._distance import (
 )
 from heatwalk.potpourri3d._files import read_mesh, write_mesh
 from heatwalk.potpourri3d._measures import cotan_laplacian, edges, face_areas, vertex_areas
-from heatwalk.potpourri3d._missing import (
-    PointCloudHeatSolver,
-    PointCloudLocalTriangulation,
-    PolygonMeshHeatSolver,
-    read_point_cloud,
-    read_polygon_mesh,
-    write_point_cloud,
-)
+from heatwalk.potpourri3d._missing import PointCloudLocalTriangulation, PolygonMeshHeatSolver, read_polygon_mesh
 from heatwalk.potpourri3d._paths import EdgeFlipGeodesicSolver, GeodesicTracer
 from heatwalk.potpourri3d._vectors import MeshVectorHeatSolver
 

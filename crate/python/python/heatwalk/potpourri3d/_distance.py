@@ -10,20 +10,18 @@ from numpy.typing import ArrayLike
 
 from heatwalk._answers import Floats, Place
 from heatwalk._errors import HeatwalkError
+from heatwalk._heatwalk import Mesh
 from heatwalk.potpourri3d._elements import Elements, Point, mesh_of, vertices_of
 
 CONSTRAINTS = ("ZeroSet", "None", "Multiple")
 
 
-class MeshHeatMethodDistanceSolver:
-    """Distance by the heat method.
+class HeatDistanceSolver:
+    """Distance by the heat method on a mesh, for so many squares of the mean edge; 1 chooses."""
 
-    `t_coef`: heat flows for so many squares of the mean edge; 1 chooses. `use_robust`: on the intrinsic Delaunay triangulation.
-    """
-
-    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_robust: bool = True) -> None:
-        self._mesh = mesh_of(V, F)
-        self._operator: Literal["delaunay", "plain"] = "delaunay" if use_robust else "plain"
+    def __init__(self, mesh: Mesh, t_coef: float, operator: Literal["delaunay", "plain"] = "delaunay") -> None:
+        self._mesh = mesh
+        self._operator: Literal["delaunay", "plain"] = operator
         self._time_step: float | Literal["auto"] = "auto" if t_coef == 1.0 else float(t_coef)
 
     def compute_distance(self, v_ind: int) -> Floats:
@@ -34,6 +32,16 @@ class MeshHeatMethodDistanceSolver:
         """(n,) floats, the distance of each vertex from the nearest of several."""
         sources = vertices_of(v_inds)
         return self._mesh.distance(sources, "heat", operator=self._operator, time_step=self._time_step)
+
+
+class MeshHeatMethodDistanceSolver(HeatDistanceSolver):
+    """Distance by the heat method.
+
+    `t_coef`: heat flows for so many squares of the mean edge; 1 chooses. `use_robust`: on the intrinsic Delaunay triangulation.
+    """
+
+    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_robust: bool = True) -> None:
+        super().__init__(mesh_of(V, F), t_coef, "delaunay" if use_robust else "plain")
 
 
 def compute_distance(V: ArrayLike, F: ArrayLike, v_ind: int) -> Floats:
@@ -117,6 +125,15 @@ class MeshFastMarchingDistanceSolver(_CurveSolver):
         return self._mesh.distance(places, "exact", initial=initial)
 
 
+def require_level_set(constraint: str, soft_weight: float) -> None:
+    """Refuses what there is not: distance is 0 on curves, whatever the constraint."""
+    if constraint not in CONSTRAINTS:
+        names = ", ".join(CONSTRAINTS)
+        raise HeatwalkError(f"there is no constraint '{constraint}'; choose one of {names}", "unknown-choice")
+    if soft_weight > 0:
+        raise NotImplementedError("distance is 0 on curves exactly; leave soft_level_set_weight at -1")
+
+
 class MeshSignedHeatSolver(_CurveSolver):
     """Signed distance from curves: as large as the exact distance, with a sign that broken curves have by heat.
 
@@ -139,11 +156,7 @@ class MeshSignedHeatSolver(_CurveSolver):
 
         `curve_signs`: whether each curve has sides; all if not given. `points`: sources without sides, vertices or points by elements.
         """
-        if level_set_constraint not in CONSTRAINTS:
-            names = ", ".join(CONSTRAINTS)
-            raise HeatwalkError(f"there is no constraint '{level_set_constraint}'; choose one of {names}", "unknown-choice")
-        if soft_level_set_weight > 0:
-            raise NotImplementedError("distance is 0 on curves exactly; leave soft_level_set_weight at -1")
+        require_level_set(level_set_constraint, soft_level_set_weight)
         signs = [*curve_signs, *[True] * (len(curves) - len(curve_signs))]
         signed, alone = self._parted([curve for curve, sign in zip(curves, signs) if sign])
         plain, others = self._parted([curve for curve, sign in zip(curves, signs) if not sign])

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from heatwalk._answers import Floats
 from heatwalk._errors import HeatwalkError
+from heatwalk._heatwalk import Mesh
 from heatwalk.potpourri3d._elements import mesh_of, vertices_of
 
 if TYPE_CHECKING:
@@ -17,15 +18,11 @@ if TYPE_CHECKING:
 STRATEGIES = ("VectorHeat", "AffineLocal", "AffineAdaptive")
 
 
-class MeshVectorHeatSolver:
-    """Tangent vectors are two numbers each, in the frames of `get_tangent_frames`.
+class VectorHeatSolver:
+    """What is carried over a mesh by heat. Tangent vectors are two numbers each, in the frames of `get_tangent_frames`."""
 
-    What is carried goes by heat, on the intrinsic Delaunay triangulation, for a time of the squared mean edge, whatever `t_coef` and
-    `use_intrinsic_delaunay` are; log maps are exact.
-    """
-
-    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_intrinsic_delaunay: bool = True) -> None:
-        self._mesh = mesh_of(V, F)
+    def __init__(self, mesh: Mesh) -> None:
+        self._mesh = mesh
         self._frames = self._mesh.tangent_frames()
 
     def extend_scalar(self, v_inds: ArrayLike, values: ArrayLike) -> Floats:
@@ -35,14 +32,6 @@ class MeshVectorHeatSolver:
     def get_tangent_frames(self) -> tuple[Floats, Floats, Floats]:
         """(n, 3) floats each: unit vectors x and y in the plane of each vertex, and its normal."""
         return self._frames.x, self._frames.y, self._frames.normals
-
-    def get_connection_laplacian(self) -> csc_matrix:
-        """(n, n) complex numbers, the connection Laplacian in these frames."""
-        from scipy.sparse import csc_matrix
-
-        rows, columns, values = self._mesh.connection_laplacian()
-        count = len(self._frames.x)
-        return csc_matrix((values, (rows, columns)), shape=(count, count))
 
     def transport_tangent_vector(self, v_ind: int, vector: ArrayLike) -> Floats:
         """(n, 2) floats: a vector, (2,) floats at a vertex, carried to all others."""
@@ -72,3 +61,22 @@ class MeshVectorHeatSolver:
         count = len(self._frames.x)
         for vertex in vertices[(vertices < 0) | (vertices >= count)]:
             raise HeatwalkError(f"vertex {vertex} does not exist; there are {count}, counted from 0", "no-such-vertex")
+
+
+class MeshVectorHeatSolver(VectorHeatSolver):
+    """Tangent vectors are two numbers each, in the frames of `get_tangent_frames`.
+
+    What is carried goes by heat, on the intrinsic Delaunay triangulation, for a time of the squared mean edge, whatever `t_coef` and
+    `use_intrinsic_delaunay` are; log maps are exact.
+    """
+
+    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_intrinsic_delaunay: bool = True) -> None:
+        super().__init__(mesh_of(V, F))
+
+    def get_connection_laplacian(self) -> csc_matrix:
+        """(n, n) complex numbers, the connection Laplacian in these frames."""
+        from scipy.sparse import csc_matrix
+
+        rows, columns, values = self._mesh.connection_laplacian()
+        count = len(self._frames.x)
+        return csc_matrix((values, (rows, columns)), shape=(count, count))
