@@ -1,7 +1,8 @@
-//! Mesh files on the disk: unpacked, with the files that they refer to. What programs and packages share, and no page needs.
+//! Mesh files on the disk: unpacked, with the files that they refer to, and places inside of their tetrahedra. What programs and packages share, and no page needs.
 
 mod folder;
 mod open;
+mod place;
 
 use std::path::Path;
 
@@ -12,6 +13,7 @@ use heatwalk_volume::io::{self as volume, Format, TetFile};
 
 pub use folder::meshes_in;
 pub use open::{MeshFile, open};
+pub use place::{TetPlace, TetPlaceError};
 
 /// Reads the surface of a file; of tetrahedra their boundary.
 ///

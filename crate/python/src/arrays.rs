@@ -53,24 +53,42 @@ impl<'py> Given<'py> {
 
     /// `n × 3`, finite or not.
     pub fn points(&self) -> Result<Vec<DVec3>> {
-        let numbers = self.rows_of_three("(n, 3)", "float64 or float32")?.floats()?;
+        let numbers = self.rows_of(3, "(n, 3)", "float64 or float32")?.floats()?;
         Ok(numbers.chunks_exact(3).map(DVec3::from_slice).collect())
     }
 
     /// `m × 3` vertices, each less than `vertices`.
     pub fn triangles(&self, vertices: usize) -> Result<Vec<[u32; 3]>> {
-        let indices = self.rows_of_three("(m, 3)", "integer")?.indices()?;
-        let missing = indices.iter().position(|&index| index >= vertices as u64);
-        if let Some(place) = missing {
-            let (triangle, vertex) = (place / 3, indices[place]);
-            return Err(heatwalk::surface::Error::IndexOutOfRange { triangle, vertex, vertices }.into());
-        }
-        Ok(indices.chunks_exact(3).map(|corners| [0, 1, 2].map(|k| corners[k] as u32)).collect())
+        self.elements(|place, vertex| {
+            if vertex < vertices as u64 {
+                Ok(())
+            } else {
+                Err(heatwalk::surface::Error::IndexOutOfRange { triangle: place, vertex, vertices }.into())
+            }
+        })
     }
 
-    fn rows_of_three(&self, shape: &str, kind: &str) -> Result<&Self> {
+    /// `m × 4` vertices, each less than `vertices`.
+    pub fn tetrahedra(&self, vertices: usize) -> Result<Vec<[u32; 4]>> {
+        self.elements(|tetrahedron, vertex| {
+            if vertex < vertices as u64 {
+                return Ok(());
+            }
+            let vertex = u32::try_from(vertex).unwrap_or(u32::MAX);
+            Err(heatwalk_volume::Error::IndexOutOfRange { tetrahedron, vertex, vertices }.into())
+        })
+    }
+
+    /// `m × N` vertices, each of which is checked, with the number of its row.
+    fn elements<const N: usize>(&self, check: impl Fn(usize, u64) -> Result<()>) -> Result<Vec<[u32; N]>> {
+        let indices = self.rows_of(N, &format!("(m, {N})"), "integer")?.indices()?;
+        indices.iter().enumerate().try_for_each(|(place, &vertex)| check(place / N, vertex))?;
+        Ok(indices.as_chunks::<N>().0.iter().map(|corners| corners.map(|vertex| vertex as u32)).collect())
+    }
+
+    fn rows_of(&self, width: usize, shape: &str, kind: &str) -> Result<&Self> {
         match self.array.shape() {
-            [_, 3] => Ok(self),
+            [_, own] if *own == width => Ok(self),
             shape_given => Err(Failure::new(
                 "bad-shape",
                 format!("{} has the shape {shape_given:?}; give {kind} numbers of the shape {shape}", self.name),

@@ -36,7 +36,7 @@ fn courses(value: &Bound<'_, PyAny>, closed: bool) -> Result<Vec<Course>> {
     })?;
     let mut are_places = !items.is_empty();
     for item in &items {
-        are_places &= place("place", item)?.is_some();
+        are_places &= place::<Wanted>("place", item)?.is_some();
     }
     let course = |number: usize, curve: &Bound<'_, PyAny>| {
         let mut places = several(&format!("place of curve {number}:"), curve)?;

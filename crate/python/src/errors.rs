@@ -49,7 +49,15 @@ macro_rules! coded {
     };
 }
 
-coded!(heatwalk::Error, heatwalk::surface::Error, heatwalk_cloud::Error, heatwalk_index::Error, heatwalk_model::Error);
+coded!(
+    heatwalk::Error,
+    heatwalk::surface::Error,
+    heatwalk_cloud::Error,
+    heatwalk_files::TetPlaceError,
+    heatwalk_index::Error,
+    heatwalk_model::Error,
+    heatwalk_volume::Error
+);
 
 impl From<heatwalk::UnknownChoice> for Failure {
     fn from(unknown: heatwalk::UnknownChoice) -> Self {

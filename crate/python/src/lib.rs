@@ -19,6 +19,7 @@ mod paths;
 mod read;
 mod samples;
 mod sources;
+mod tets;
 mod turn;
 
 use pyo3::prelude::*;
@@ -29,6 +30,7 @@ fn _heatwalk(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<mesh::Mesh>()?;
     module.add_class::<cloud::PointCloud>()?;
     module.add_class::<index::Index>()?;
+    module.add_class::<tets::TetMesh>()?;
     module.add_function(wrap_pyfunction!(read::read, module)?)?;
     module.add_function(wrap_pyfunction!(read::shape, module)?)
 }

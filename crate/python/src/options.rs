@@ -3,6 +3,7 @@
 use std::str::FromStr;
 
 use heatwalk::{Choice, DistanceOptions, Method, Parameters};
+use heatwalk_volume::{VolumeMethod, VolumeOptions};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -17,40 +18,74 @@ const SEARCH: [&str; 2] = ["windows", "max_distance"];
 /// What is asked of the solver. An option that the method does not heed is refused.
 pub fn distance_options(method: &str, given: Option<&Bound<'_, PyDict>>) -> Result<DistanceOptions> {
     let mut options = DistanceOptions::by(method.parse::<Method>()?);
+    let method = options.method;
     for (name, value) in given.into_iter().flatten() {
         let name = name.to_string();
-        let heat = HEAT.contains(&name.as_str());
-        if !heat && !SEARCH.contains(&name.as_str()) {
-            let known = [&SEARCH[..], &HEAT[..]].concat().join(", ");
-            return Err(PyTypeError::new_err(format!("there is no option {name}; the options are {known}")).into());
-        }
-        let method = options.method;
         let is_heeded = match name.as_str() {
-            _ if heat => method == Method::Heat,
             "windows" => matches!(method, Method::Auto | Method::Propagation),
-            _ => method != Method::Heat,
+            _ => HEAT.contains(&name.as_str()) == (method == Method::Heat),
         };
-        if !is_heeded {
-            let sentence = if heat {
-                format!("{name} is an option of the heat method and has no effect with {method}; give method=\"heat\"")
-            } else {
-                format!("{name} has no effect with the method {method}")
-            };
-            return Err(Failure::new("bad-parameter", sentence));
-        }
-        let Parameters { operator, solver, time_step, boundary, sources, exact_radius, .. } = &mut options.heat;
+        require_known(&name, &[&SEARCH[..], &HEAT[..]].concat())?;
+        require_heeded(&name, method.name(), is_heeded)?;
         match name.as_str() {
             "windows" => options.windows = from(&name, &value)?,
             "max_distance" => options.max_distance = number(&name, &value)?,
-            "operator" => *operator = from(&name, &value)?,
-            "solver" => *solver = from(&name, &value)?,
-            "time_step" => *time_step = from(&name, &value)?,
-            "boundary" => *boundary = from(&name, &value)?,
-            "multi_source" => *sources = from(&name, &value)?,
-            _ => *exact_radius = from(&name, &value)?,
+            _ => set_heat(&mut options.heat, &name, &value)?,
         }
     }
     Ok(options)
+}
+
+/// The same inside of tetrahedra.
+pub fn volume_options(method: &str, given: Option<&Bound<'_, PyDict>>) -> Result<VolumeOptions> {
+    let mut options = VolumeOptions::by(method.parse::<VolumeMethod>()?);
+    let method = options.method;
+    let known: Vec<&str> =
+        ["max_distance"].into_iter().chain(HEAT.into_iter().filter(|&name| name != "operator")).collect();
+    for (name, value) in given.into_iter().flatten() {
+        let name = name.to_string();
+        require_known(&name, &known)?;
+        require_heeded(&name, method.name(), HEAT.contains(&name.as_str()) == (method == VolumeMethod::Heat))?;
+        match name.as_str() {
+            "max_distance" => options.max_distance = number(&name, &value)?,
+            _ => set_heat(&mut options.heat, &name, &value)?,
+        }
+    }
+    Ok(options)
+}
+
+fn require_known(name: &str, known: &[&str]) -> Result<()> {
+    if known.contains(&name) {
+        return Ok(());
+    }
+    let known = known.join(", ");
+    Err(PyTypeError::new_err(format!("there is no option {name}; the options are {known}")).into())
+}
+
+fn require_heeded(name: &str, method: &str, is_heeded: bool) -> Result<()> {
+    if is_heeded {
+        return Ok(());
+    }
+    let sentence = if HEAT.contains(&name) {
+        format!("{name} is an option of the heat method and has no effect with {method}; give method=\"heat\"")
+    } else {
+        format!("{name} has no effect with the method {method}")
+    };
+    Err(Failure::new("bad-parameter", sentence))
+}
+
+/// One of [`HEAT`].
+fn set_heat(heat: &mut Parameters, name: &str, value: &Bound<'_, PyAny>) -> Result<()> {
+    let Parameters { operator, solver, time_step, boundary, sources, exact_radius, .. } = heat;
+    match name {
+        "operator" => *operator = from(name, value)?,
+        "solver" => *solver = from(name, value)?,
+        "time_step" => *time_step = from(name, value)?,
+        "boundary" => *boundary = from(name, value)?,
+        "multi_source" => *sources = from(name, value)?,
+        _ => *exact_radius = from(name, value)?,
+    }
+    Ok(())
 }
 
 /// One of the methods that there are for something: `what` is not done by the others.

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 use heatwalk::{InputPlace, Source, Surface, SurfacePoint};
+use heatwalk_files::TetPlace;
 use numpy::PyUntypedArray;
 use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
@@ -11,7 +12,18 @@ use crate::arrays::Given;
 use crate::errors::{Failure, Result};
 use crate::mesh::Mesh;
 
-const PLACE: &str = "a vertex, (face, (w0, w1, w2)) or three coordinates as floats";
+/// What a place may be.
+pub trait Placed: Sized {
+    /// How it is given.
+    const KNOWN: &'static str;
+    /// Corners of an element.
+    const CORNERS: usize;
+
+    fn vertex(vertex: usize) -> Self;
+    /// In a face or a tetrahedron, by the first [`Self::CORNERS`] weights.
+    fn within(element: usize, weights: [f64; 4]) -> Self;
+    fn near(point: DVec3) -> Self;
+}
 
 /// A place that may not be there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,23 +34,57 @@ pub enum Wanted {
     Near(DVec3),
 }
 
+impl Placed for Wanted {
+    const KNOWN: &'static str = "a vertex, (face, (w0, w1, w2)) or three coordinates as floats";
+    const CORNERS: usize = 3;
+
+    fn vertex(vertex: usize) -> Self {
+        Self::On(InputPlace::Vertex(vertex))
+    }
+
+    fn within(triangle: usize, [a, b, c, _]: [f64; 4]) -> Self {
+        Self::On(InputPlace::Triangle { triangle, weights: [a, b, c] })
+    }
+
+    fn near(point: DVec3) -> Self {
+        Self::Near(point)
+    }
+}
+
+impl Placed for TetPlace {
+    const KNOWN: &'static str = "a vertex, (tetrahedron, (w0, w1, w2, w3)) or three coordinates as floats";
+    const CORNERS: usize = 4;
+
+    fn vertex(vertex: usize) -> Self {
+        Self::Vertex(vertex)
+    }
+
+    fn within(tetrahedron: usize, weights: [f64; 4]) -> Self {
+        Self::Inside { tetrahedron, weights }
+    }
+
+    fn near(point: DVec3) -> Self {
+        Self::At(point)
+    }
+}
+
 /// One place: `name` in messages.
-pub fn one(name: &str, value: &Bound<'_, PyAny>) -> Result<Wanted> {
+pub fn one<P: Placed>(name: &str, value: &Bound<'_, PyAny>) -> Result<P> {
     match place(name, value)? {
         Some(place) => Ok(place),
-        None => Err(bad(name, value)),
+        None => Err(bad::<P>(name, value)),
     }
 }
 
 /// One place, or several in a list or an array: `name` of one in messages.
-pub fn several(name: &str, value: &Bound<'_, PyAny>) -> Result<Vec<Wanted>> {
+pub fn several<P: Placed>(name: &str, value: &Bound<'_, PyAny>) -> Result<Vec<P>> {
     if value.cast::<PyUntypedArray>().is_ok() {
         let array = Given::new("the array of places", value)?;
         return match array.dimensions() {
             1 if array.is_whole() => Ok(array.indices()?.into_iter().map(vertex).collect()),
             1 if array.is_float() => Ok(vec![one(name, value)?]),
             0 => Ok(vec![one(name, value)?]),
-            _ if array.is_float() => Ok(array.points()?.into_iter().map(Wanted::Near).collect()),
+            _ if array.is_float() => Ok(array.points()?.into_iter().map(P::near).collect()),
             _ => Err(Failure::new(
                 "bad-dtype",
                 format!("the array of {name}s has neither integers of the shape (n,) nor floats of the shape (n, 3)"),
@@ -48,25 +94,25 @@ pub fn several(name: &str, value: &Bound<'_, PyAny>) -> Result<Vec<Wanted>> {
     if let Some(place) = place(name, value)? {
         return Ok(vec![place]);
     }
-    let Ok(items) = value.try_iter() else { return Err(bad(name, value)) };
+    let Ok(items) = value.try_iter() else { return Err(bad::<P>(name, value)) };
     items.enumerate().map(|(number, item)| one(&format!("{name} {number}"), &item?)).collect()
 }
 
 /// A place, if it is one.
-pub fn place(name: &str, value: &Bound<'_, PyAny>) -> Result<Option<Wanted>> {
+pub fn place<P: Placed>(name: &str, value: &Bound<'_, PyAny>) -> Result<Option<P>> {
     if let Some(vertex) = index(name, value)? {
-        return Ok(Some(Wanted::On(InputPlace::Vertex(vertex))));
+        return Ok(Some(P::vertex(vertex)));
     }
     match value.len() {
         Ok(2) => {
-            let (triangle, weights) = (value.get_item(0)?, value.get_item(1)?);
-            let is_pair = weights.len().is_ok_and(|count| count == 3) && !is_sequence(&triangle);
-            let Some(weights) = is_pair.then(|| numbers(&weights)).flatten() else { return Ok(None) };
-            let Some(triangle) = index(name, &triangle)? else { return Ok(None) };
-            Ok(Some(Wanted::On(InputPlace::Triangle { triangle, weights: weights.0 })))
+            let (element, weights) = (value.get_item(0)?, value.get_item(1)?);
+            let is_pair = weights.len().is_ok_and(|count| count == P::CORNERS) && !is_sequence(&element);
+            let Some((weights, _)) = is_pair.then(|| numbers(&weights, P::CORNERS)).flatten() else { return Ok(None) };
+            let Some(element) = index(name, &element)? else { return Ok(None) };
+            Ok(Some(P::within(element, weights)))
         }
-        Ok(3) => match numbers(value) {
-            Some((coordinates, true)) => Ok(Some(Wanted::Near(DVec3::from_array(coordinates)))),
+        Ok(3) => match numbers(value, 3) {
+            Some(([x, y, z, _], true)) => Ok(Some(P::near(DVec3::new(x, y, z)))),
             _ => Ok(None),
         },
         _ => Ok(None),
@@ -86,8 +132,8 @@ pub fn require_one_each(sources: usize, given: usize, what: &str) -> Result<()> 
     Err(Failure::new("bad-shape", format!("there are {sources} sources and {given} {what}")))
 }
 
-fn vertex(index: u64) -> Wanted {
-    Wanted::On(InputPlace::Vertex(usize::try_from(index).unwrap_or(usize::MAX)))
+fn vertex<P: Placed>(index: u64) -> P {
+    P::vertex(usize::try_from(index).unwrap_or(usize::MAX))
 }
 
 fn is_sequence(value: &Bound<'_, PyAny>) -> bool {
@@ -111,10 +157,10 @@ fn index(name: &str, value: &Bound<'_, PyAny>) -> Result<Option<usize>> {
     }
 }
 
-/// Three numbers, and whether any of them is floating.
-fn numbers(value: &Bound<'_, PyAny>) -> Option<([f64; 3], bool)> {
-    let (mut numbers, mut is_float) = ([0.0; 3], false);
-    for (k, number) in numbers.iter_mut().enumerate() {
+/// So many numbers, before zeros, and whether any of them is floating.
+fn numbers(value: &Bound<'_, PyAny>, count: usize) -> Option<([f64; 4], bool)> {
+    let (mut numbers, mut is_float) = ([0.0; 4], false);
+    for (k, number) in numbers.iter_mut().enumerate().take(count) {
         let item = value.get_item(k).ok()?;
         if item.is_instance_of::<PyBool>() || is_sequence(&item) {
             return None;
@@ -125,10 +171,10 @@ fn numbers(value: &Bound<'_, PyAny>) -> Option<([f64; 3], bool)> {
     Some((numbers, is_float))
 }
 
-fn bad(name: &str, value: &Bound<'_, PyAny>) -> Failure {
+fn bad<P: Placed>(name: &str, value: &Bound<'_, PyAny>) -> Failure {
     let given = value.repr().map_or_else(|_| "something else".to_owned(), |text| text.to_string());
     let given: String = given.chars().take(60).collect();
-    Failure::new("bad-place", format!("the {name} is {given}; give {PLACE}"))
+    Failure::new("bad-place", format!("the {name} is {given}; give {}", P::KNOWN))
 }
 
 impl Mesh {

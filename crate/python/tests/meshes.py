@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import permutations
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -43,3 +45,14 @@ def sphere(rings: int = 24, sectors: int = 48) -> tuple[Floats, Integers]:
             faces += [(at(r, s), at(r + 1, s), at(r + 1, s + 1)), (at(r, s), at(r + 1, s + 1), at(r, s + 1))]
     faces += [(at(rings - 2, s), last, at(rings - 2, s + 1)) for s in range(sectors)]
     return vertices, np.array(faces)
+
+
+def block(size: int) -> tuple[Floats, Integers]:
+    """The unit cube in `size`³ cubes of six tetrahedra each (Kuhn); vertices by x, then y, then z."""
+    ticks = np.linspace(0, 1, size + 1)
+    vertices = np.stack(np.meshgrid(ticks, ticks, ticks, indexing="ij"), axis=-1).reshape(-1, 3)
+    steps = np.array([(size + 1) ** 2, size + 1, 1])
+    x, y, z = np.meshgrid(*[np.arange(size)] * 3, indexing="ij")
+    corner = (x * steps[0] + y * steps[1] + z * steps[2]).ravel()
+    ways = [np.cumsum([0, *steps[list(order)]]) for order in permutations(range(3))]
+    return vertices, np.concatenate([corner[:, None] + way for way in ways])

@@ -3,9 +3,8 @@
 use std::time::Instant;
 
 use anyhow::{Context, Result, bail, ensure};
-use heatwalk::surface::Error as SurfaceError;
-use heatwalk::{MultiSource, UnitRule, VertexId, WeldRule};
-use heatwalk_files::read_tetrahedra;
+use heatwalk::{MultiSource, UnitRule, WeldRule};
+use heatwalk_files::{TetPlace, read_tetrahedra};
 use heatwalk_volume::io::{CellCounts, TetFile};
 use heatwalk_volume::{TetMesh, TetPoint, TetSoup, TetSource, VolumeOptions, edge_polyline, shapes};
 
@@ -76,43 +75,13 @@ pub fn volume_options(
 
 /// The point of a mesh. Vertices and tetrahedra are counted as in the file.
 pub fn point(place: Place, soup: &TetSoup, mesh: &TetMesh) -> Result<TetPoint> {
-    match place {
-        Place::Vertex(number) => Ok(vertex(number, soup, mesh)?.into()),
-        Place::Coordinates(position) => {
-            let point = mesh.locate(position);
-            point.with_context(|| format!("{place} is outside of all tetrahedra; give coordinates inside of one"))
-        }
+    let place = match place {
+        Place::Vertex(vertex) => TetPlace::Vertex(vertex),
+        Place::Coordinates(position) => TetPlace::At(position),
         Place::Triangle { .. } => bail!("three weights are for triangles; a place in a tetrahedron has four"),
-        Place::Tetrahedron { tetrahedron, weights } => {
-            let tetrahedra = soup.tetrahedra.len();
-            ensure!(
-                tetrahedron < tetrahedra,
-                "tetrahedron {tetrahedron} does not exist; there are {tetrahedra}, counted from 0"
-            );
-            let Some(own) = mesh.tetrahedron_of_input(tetrahedron) else {
-                bail!(
-                    "tetrahedron {tetrahedron} has no volume or repeats an earlier one and was left out; choose another"
-                );
-            };
-            // Its corners may have been turned.
-            let of_input = soup.tetrahedra[tetrahedron];
-            let weight_of = |vertex: u32| {
-                let input = mesh.input_of_vertex(VertexId(vertex)) as u32;
-                of_input.iter().position(|&corner| corner == input).map_or(0.0, |corner| weights[corner])
-            };
-            let own_weights = mesh.tetrahedra()[own.index()].map(weight_of);
-            TetPoint::Inside { tetrahedron: own, weights: own_weights }.checked(mesh).map_err(|_| {
-                // In the file's words.
-                heatwalk_volume::Error::BadWeights { tetrahedron, weights }.into()
-            })
-        }
-    }
-}
-
-fn vertex(vertex: usize, soup: &TetSoup, mesh: &TetMesh) -> Result<VertexId> {
-    let vertices = soup.positions.len();
-    ensure!(vertex < vertices, SurfaceError::NoSuchVertex { vertex, vertices });
-    mesh.vertex_of_input(vertex).with_context(|| format!("vertex {vertex} is in no tetrahedron; choose another"))
+        Place::Tetrahedron { tetrahedron, weights } => TetPlace::Inside { tetrahedron, weights },
+    };
+    Ok(place.on(soup, mesh)?)
 }
 
 /// The source in a mesh.
@@ -122,7 +91,8 @@ pub fn source(source: &SourcePlace, soup: &TetSoup, mesh: &TetMesh) -> Result<Te
 
 /// A source at each vertex along a line of edges.
 pub fn along(line: &Line, soup: &TetSoup, mesh: &TetMesh, closed: bool) -> Result<Vec<TetSource>> {
-    let through = line.vertices().iter().map(|&number| vertex(number, soup, mesh)).collect::<Result<Vec<_>>>()?;
+    let through =
+        line.vertices().iter().map(|&vertex| TetPlace::vertex_of(vertex, soup, mesh)).collect::<Result<Vec<_>, _>>()?;
     let vertices = edge_polyline(mesh, &through, closed).with_context(|| format!("line {:?}", line.vertices()))?;
     Ok(vertices.into_iter().map(TetSource::from).collect())
 }

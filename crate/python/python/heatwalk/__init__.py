@@ -7,7 +7,7 @@
 >>> bool(abs(path.length - distances.max()) < 1e-9)
 True
 
-`Mesh` takes arrays, `read` files. `heatwalk.potpourri3d`, `heatwalk.pygeodesic` and `heatwalk.gdist` have the names of those
+`Mesh` takes arrays, `read` files; `PointCloud` points without triangles, `TetMesh` tetrahedra. `heatwalk.potpourri3d`, `heatwalk.pygeodesic` and `heatwalk.gdist` have the names of those
 packages.
 """
 
@@ -24,10 +24,11 @@ from heatwalk._answers import (
     Samples,
     Snapped,
     TangentFrames,
+    TetPath,
     Walk,
 )
 from heatwalk._errors import HeatwalkError
-from heatwalk._heatwalk import Index, Mesh, PointCloud, __version__, read, shape
+from heatwalk._heatwalk import Index, Mesh, PointCloud, TetMesh, __version__, read, shape
 
 __all__ = [
     "Answer",
@@ -46,6 +47,8 @@ __all__ = [
     "Samples",
     "Snapped",
     "TangentFrames",
+    "TetMesh",
+    "TetPath",
     "Walk",
     "__version__",
     "read",

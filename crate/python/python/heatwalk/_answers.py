@@ -54,6 +54,17 @@ class Path(NamedTuple):
     """What it costs: the length, where faces have no costs."""
 
 
+class TetPath(NamedTuple):
+    """A path inside of tetrahedra, straight from point to point."""
+
+    points: Floats
+    """(k, 3), from the start to the end."""
+    length: float
+    """In the unit of the mesh."""
+    cost: float
+    """The length, each part times what that costs."""
+
+
 class Walk(NamedTuple):
     """A walk straight on."""
 

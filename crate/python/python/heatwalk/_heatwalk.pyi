@@ -8,20 +8,21 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack, disjoint_base
 
-from heatwalk._answers import Answer, Bounds, Cells, Isoline, LogMap, Mean, Path, Samples, Snapped, TangentFrames, Walk
+from heatwalk._answers import Answer, Bounds, Cells, Isoline, LogMap, Mean, Path, Samples, Snapped, TangentFrames, TetPath, Walk
 
-__all__ = ["Index", "Mesh", "PointCloud", "__version__", "read", "shape"]
+__all__ = ["Index", "Mesh", "PointCloud", "TetMesh", "__version__", "read", "shape"]
 
 __version__: str
 
 _Floats: TypeAlias = NDArray[np.float64]
 _Integers: TypeAlias = NDArray[np.int64]
 _Weights: TypeAlias = Sequence[float] | NDArray[np.floating[Any]]
-# A vertex, a face with weights of its corners, or coordinates.
+# A vertex, a face or a tetrahedron with weights of its corners, or coordinates.
 _Place: TypeAlias = int | np.integer[Any] | tuple[int | np.integer[Any], _Weights] | _Weights
 _Places: TypeAlias = _Place | Sequence[_Place] | NDArray[np.integer[Any]]
 _Curves: TypeAlias = Literal["boundary"] | Sequence[_Place] | Sequence[Sequence[_Place]] | NDArray[np.integer[Any]]
 _Progress: TypeAlias = Callable[[float, str], object]
+_TetMethod: TypeAlias = Literal["march", "heat"]
 _Method: TypeAlias = Literal["auto", "exact", "propagation", "heat"]
 
 @type_check_only
@@ -29,6 +30,15 @@ class _Options(TypedDict, total=False):
     max_distance: float
     windows: int | Literal["all"]
     operator: Literal["delaunay", "plain", "relocate"]
+    solver: Literal["cholesky", "cg"]
+    time_step: float | Literal["auto"]
+    boundary: Literal["neumann", "dirichlet", "average"]
+    multi_source: Literal["exact", "summed"]
+    exact_radius: float | Literal["auto"]
+
+@type_check_only
+class _TetOptions(TypedDict, total=False):
+    max_distance: float
     solver: Literal["cholesky", "cg"]
     time_step: float | Literal["auto"]
     boundary: Literal["neumann", "dirichlet", "average"]
@@ -199,3 +209,58 @@ class Index:
     def distance(self, starts: ArrayLike, ends: ArrayLike) -> Bounds: ...
     @property
     def labels(self) -> int: ...
+@final
+class TetMesh:
+    def __new__(cls, V: ArrayLike, T: ArrayLike, *, costs: ArrayLike | None = None) -> TetMesh: ...
+    @staticmethod
+    def read(path: str | PathLike[str]) -> TetMesh: ...
+    @property
+    def vertices(self) -> _Floats: ...
+    @property
+    def tetrahedra(self) -> _Integers: ...
+    @property
+    def boundary_faces(self) -> _Integers: ...
+    @property
+    def report(self) -> dict[str, int]: ...
+    @property
+    def volume(self) -> float: ...
+    @property
+    def mean_edge(self) -> float: ...
+    def distance(
+        self,
+        sources: _Places,
+        method: _TetMethod = "march",
+        *,
+        initial: ArrayLike | None = None,
+        progress: _Progress | None = None,
+        **options: Unpack[_TetOptions],
+    ) -> _Floats: ...
+    def solve(
+        self,
+        sources: _Places,
+        method: _TetMethod = "march",
+        *,
+        initial: ArrayLike | None = None,
+        progress: _Progress | None = None,
+        **options: Unpack[_TetOptions],
+    ) -> Answer: ...
+    def matrix(
+        self,
+        sources: _Places,
+        method: _TetMethod = "march",
+        *,
+        progress: _Progress | None = None,
+        **options: Unpack[_TetOptions],
+    ) -> _Floats: ...
+    def path(
+        self,
+        start: _Place,
+        end: _Place,
+        method: _TetMethod = "march",
+        *,
+        progress: _Progress | None = None,
+        **options: Unpack[_TetOptions],
+    ) -> TetPath: ...
+    def boundary_distance(self) -> _Floats: ...
+    def __getnewargs_ex__(self) -> tuple[tuple[_Floats, _Integers], dict[str, Any]]: ...
+    def __copy__(self) -> TetMesh: ...
