@@ -7,6 +7,7 @@ import { cargo, root, run } from './steps.mjs';
 
 const MATURIN = 'maturin==1.16.0';
 const MYPY = 'mypy==2.4.1';
+const NIBABEL = 'nibabel==5.4.2';
 const PYTEST = 'pytest==9.2.0';
 const SCIPY_STUBS = 'scipy-stubs==1.17.1.5';
 
@@ -21,7 +22,7 @@ const MODULES = { darwin: 'lib_heatwalk.dylib', win32: '_heatwalk.dll' };
  * are made of, so that nothing but itself is compiled again. What maturin would build of the package alone shares next to nothing.
  */
 export function testPackage(packages) {
-  const python = requirePython(NUMPY, SCIPY, SCIPY_STUBS, PYTEST, MYPY);
+  const python = requirePython(NUMPY, SCIPY, SCIPY_STUBS, PYTEST, MYPY, NIBABEL);
   cargo('Building the module of the Python package', ['build', ...packages, '--lib', '--tests'], named);
   const folder = join(target, 'python');
   rmSync(folder, { recursive: true, force: true });
@@ -55,7 +56,12 @@ export function buildPackages() {
     const environment = join(made, file.endsWith('.whl') ? 'of-wheel' : 'of-sources');
     const python = join(environment, 'bin', 'python');
     run('Making a Python environment', tool, ['-m', 'venv', environment], named);
-    run(`Installing ${basename(file)}`, python, ['-m', 'pip', 'install', '--quiet', file, SCIPY, PYTEST], named);
+    run(
+      `Installing ${basename(file)}`,
+      python,
+      ['-m', 'pip', 'install', '--quiet', file, SCIPY, PYTEST, NIBABEL],
+      named,
+    );
     run('Testing it', python, ['-m', 'pytest', '--quiet', '-p', 'no:cacheprovider', join(source, 'tests')], named);
   }
   return files;

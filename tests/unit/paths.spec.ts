@@ -47,5 +47,6 @@ test('meshes come from the uppermost folder first, without what systems put ther
   const paths = ['x/deep/c.stl', '__MACOSX/x/._a.obj', 'x/._b.obj', 'x/b.OBJ', 'x/notes.txt', 'x/a.ply'];
   expect(meshesAmong(paths)).toEqual(['x/b.OBJ', 'x/a.ply', 'x/deep/c.stl']);
   expect(isMesh('.hidden/a.obj')).toBe(false);
-  for (const name of ['a.3mf', 'a.coff', 'a.VTK', 'a.vtp', 'a.vtu']) expect(isMesh(name)).toBe(true);
+  for (const name of ['a.3mf', 'a.coff', 'a.VTK', 'a.vtp', 'a.vtu', 'lh.surf.gii', 'lh.pial'])
+    expect(isMesh(name)).toBe(true);
 });

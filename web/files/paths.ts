@@ -19,7 +19,7 @@ export const ACCEPTED = [...MESHES, ...RESOURCES, TABLE, ARCHIVE, PACKED].map((e
 /** In words. */
 export const formats = () =>
   t(
-    'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), points (.xyz, .pts, .asc, .txt), alone, in a folder or in a .zip, also packed by gzip (.gz)',
+    'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), brains of GIFTI (.surf.gii) and FreeSurfer (.pial, .white, .inflated, .sphere, .orig, .smoothwm), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), points (.xyz, .pts, .asc, .txt), alone, in a folder or in a .zip, also packed by gzip (.gz)',
   );
 
 /** What systems put beside the files of the user. */

@@ -65,7 +65,7 @@ fn the_page_has_the_names_and_ranges_of_the_solver() {
     assert!(text.contains(&format!("export const WINDOWS = {WINDOWS:?} as const;")), "{text}");
     assert!(text.contains(&format!("export const DEFAULT_WINDOWS = {DEFAULT_WINDOWS};")), "{text}");
     for line in [
-        "SURFACE_EXTENSIONS = ['3mf', 'coff', 'glb', 'gltf', 'noff', 'obj', 'off', 'ply', 'stl', 'vtk', 'vtp', 'vtu']",
+        "SURFACE_EXTENSIONS = ['3mf', 'coff', 'gii', 'glb', 'gltf', 'inflated', 'noff', 'obj', 'off', 'orig', 'pial', 'ply', 'smoothwm', 'sphere', 'stl', 'vtk', 'vtp', 'vtu', 'white']",
         "POINT_EXTENSIONS = ['asc', 'csv', 'pts', 'txt', 'xyz']",
         "TETRAHEDRON_EXTENSIONS = ['ele', 'mesh', 'meshb', 'msh', 'node', 'vtk', 'vtu']",
     ] {

@@ -13,7 +13,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[non_exhaustive]
 pub enum Error {
     /// The file's extension and first bytes match no reader.
-    #[error("{name}: not a mesh format known here; use glTF, GLB, OBJ, OFF, PLY, STL, 3MF or VTK")]
+    #[error("{name}: not a mesh format known here; use glTF, GLB, OBJ, OFF, PLY, STL, 3MF, VTK, GIFTI or FreeSurfer")]
     UnknownFormat {
         /// File name as given.
         name: String,

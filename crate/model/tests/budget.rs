@@ -8,6 +8,8 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::iter;
 
+use base64::Engine as _;
+use base64::prelude::BASE64_STANDARD;
 use heatwalk_model::io::{self, Budget};
 use heatwalk_model::{Error, Result};
 use heatwalk_surface::Soup;
@@ -87,6 +89,19 @@ fn blocks_of_zeros_are_not_inflated_beyond_the_budget() {
         let arrays: String = (0..200).map(|name| array("UInt8", name)).collect();
         assert_refused("a.vtp", &vtp(&format!("<Piece><Points>{arrays}</Points></Piece>"), true, &appended));
     }
+}
+
+#[test]
+fn a_gifti_array_that_packs_much_is_refused() {
+    let _alone = alone();
+    let packed = BASE64_STANDARD.encode(compress_to_vec_zlib(&vec![0; 100 << 20], 9));
+    let points = format!(
+        "<DataArray Intent=\"NIFTI_INTENT_POINTSET\" DataType=\"NIFTI_TYPE_FLOAT32\" Encoding=\"GZipBase64Binary\" Dim0=\"COUNT\" Dim1=\"3\">\
+         <Data>{packed}</Data></DataArray>"
+    );
+    let document = format!("<GIFTI>{points}</GIFTI>");
+    assert_refused("a.gii", document.replace("COUNT", "30000000").as_bytes());
+    assert_small("a.gii", "<GIFTI></GIFTI>".as_bytes());
 }
 
 #[test]

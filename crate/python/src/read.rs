@@ -14,7 +14,7 @@ use crate::mesh::{Mesh, Options, all_threads};
 
 /// Read a mesh file, or the bytes of one.
 ///
-/// Formats: glTF and GLB, OBJ, OFF, PLY, STL, 3MF and VTK, packed by gzip or in a zip too; of tetrahedra (Gmsh, Medit, VTK, TetGen)
+/// Formats: glTF and GLB, OBJ, OFF, PLY, STL, 3MF, VTK, GIFTI (`.surf.gii`) and surfaces of FreeSurfer, packed by gzip or in a zip too; of tetrahedra (Gmsh, Medit, VTK, TetGen)
 /// the boundary; points without faces (PLY, OBJ, `.xyz`, `.csv` and others) are joined to a `PointCloud`. Of bytes, `name` tells the format by its extension where the first bytes do not; they cannot refer to other files.
 ///
 /// `parts` chooses parts of the file, counted from 0; vertices and faces keep their numbers. For `weld`, `bridges`, `links` and `threads` see

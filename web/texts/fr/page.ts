@@ -414,8 +414,8 @@ export const PAGE: Texts = {
   'the connection to {0} was lost; try again': 'la connexion à {0} a été perdue ; réessayez',
   'download the file and drop it here': 'téléchargez le fichier et déposez-le ici',
   'it is larger than {0}, the most that is fetched; {1}': 'il dépasse {0}, le plus qui soit téléchargé ; {1}',
-  'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), points (.xyz, .pts, .asc, .txt), alone, in a folder or in a .zip, also packed by gzip (.gz)':
-    'GLB, glTF avec son .bin, OBJ avec son .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), tétraèdres de Medit (.mesh), Gmsh (.msh), TetGen (.node avec .ele), points (.xyz, .pts, .asc, .txt), seuls, dans un dossier ou dans un .zip, aussi compressés par gzip (.gz)',
+  'GLB, glTF with its .bin, OBJ with its .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), brains of GIFTI (.surf.gii) and FreeSurfer (.pial, .white, .inflated, .sphere, .orig, .smoothwm), tetrahedra of Medit (.mesh), Gmsh (.msh), TetGen (.node with .ele), points (.xyz, .pts, .asc, .txt), alone, in a folder or in a .zip, also packed by gzip (.gz)':
+    'GLB, glTF avec son .bin, OBJ avec son .mtl, OFF, PLY, STL, 3MF, VTK (.vtk, .vtp, .vtu), cerveaux de GIFTI (.surf.gii) et FreeSurfer (.pial, .white, .inflated, .sphere, .orig, .smoothwm), tétraèdres de Medit (.mesh), Gmsh (.msh), TetGen (.node avec .ele), points (.xyz, .pts, .asc, .txt), seuls, dans un dossier ou dans un .zip, aussi compressés par gzip (.gz)',
   'its {0} is damaged; save the scene again': 'son {0} est endommagé ; enregistrez de nouveau la scène',
   'its {0} was written by another version of the page; reload the page, and open it again':
     'son {0} vient d’une autre version de la page ; rechargez la page, et rouvrez-le',

@@ -147,6 +147,17 @@ export const READERS: Texts = {
   'the facet is cut short by the end of the file; save it again':
     'la facette est coupée par la fin du fichier ; enregistrez-le de nouveau',
   'a facet has {0} corners instead of 3': 'une facette a {0} coins au lieu de 3',
+  // GIFTI and FreeSurfer.
+  'the array {0} has no size or no type of numbers; save the file again':
+    'le tableau {0} n’a pas de taille ou de type de nombres ; enregistrez le fichier de nouveau',
+  'the array {0} has rows of {1} numbers in place of 3; save the file again':
+    'le tableau {0} a des lignes de {1} nombres au lieu de 3 ; enregistrez le fichier de nouveau',
+  'there is no surface in it; give the file of points and triangles (.surf.gii)':
+    'il ne contient pas de surface ; donnez le fichier des points et des triangles (.surf.gii)',
+  'several surfaces in one file': 'plusieurs surfaces dans un fichier',
+  'save each by itself': 'enregistrez chacune à part',
+  'it does not begin as a surface of FreeSurfer does; save it again, in binary form':
+    'il ne commence pas comme une surface de FreeSurfer ; enregistrez-le de nouveau, sous forme binaire',
   // 3MF.
   'it is damaged or cut short; copy it again': 'les données sont endommagées ou tronquées ; copiez-les de nouveau',
   'it holds more than {0} files; save it again': 'elle contient plus de {0} fichiers ; enregistrez-la de nouveau',

@@ -9,8 +9,8 @@ export const REPORTS: Texts = {
     '{0}, ou utilisez le programme natif sur une machine plus grande',
   '{0}; open both together, or the folder that holds them':
     '{0} ; ouvrez les deux ensemble, ou le dossier qui les contient',
-  '{0}: not a mesh format known here; use glTF, GLB, OBJ, OFF, PLY, STL, 3MF or VTK':
-    '{0} : format de maillage inconnu ici ; utilisez glTF, GLB, OBJ, OFF, PLY, STL, 3MF ou VTK',
+  '{0}: not a mesh format known here; use glTF, GLB, OBJ, OFF, PLY, STL, 3MF, VTK, GIFTI or FreeSurfer':
+    '{0} : format de maillage inconnu ici ; utilisez glTF, GLB, OBJ, OFF, PLY, STL, 3MF, VTK, GIFTI ou FreeSurfer',
   '{0}: {1} is not supported; {2}': '{0} : {1} n’est pas pris en charge ; {2}',
   'the file refers to {0}, which was not given': 'le fichier renvoie à {0}, qui n’a pas été donné',
   'no triangles: {0}': 'aucun triangle : {0}',

@@ -13,7 +13,7 @@ use crate::options::choice;
 /// What the commands on one mesh read and how they answer.
 #[derive(Args)]
 pub struct Mesh {
-    /// glTF, GLB, OBJ, OFF, PLY, STL, 3MF or VTK file, or shape:NAME; of points alone: also XYZ, TXT, CSV, ASC or PTS file; of tetrahedra: Gmsh,
+    /// glTF, GLB, OBJ, OFF, PLY, STL, 3MF, VTK, GIFTI or FreeSurfer file, or shape:NAME; of points alone: also XYZ, TXT, CSV, ASC or PTS file; of tetrahedra: Gmsh,
     /// Medit, VTK or TetGen file
     pub mesh: PathBuf,
     /// Take only this part of the file, counted from 0; may be repeated

@@ -118,7 +118,7 @@ pub struct Isolines {
 
 #[derive(Args)]
 pub struct Table {
-    /// glTF, GLB, OBJ, OFF, PLY, STL, 3MF or VTK files, or shape:NAME; of FILE#N the part N alone, counted from 0
+    /// glTF, GLB, OBJ, OFF, PLY, STL, 3MF, VTK, GIFTI or FreeSurfer files, or shape:NAME; of FILE#N the part N alone, counted from 0
     #[arg(value_name = "MESH", required = true)]
     pub meshes: Vec<String>,
     #[command(flatten)]

@@ -1,11 +1,14 @@
 //! Mesh files to and from bytes. Nothing here touches a file system: what a file refers to comes from the caller.
 //!
-//! Each format that can be read is a cargo feature: `3mf`, `gltf`, `obj`, `off`, `ply`, `stl`, `vtk`, all on by default. `3mf` brings
+//! Each format that can be read is a cargo feature: `3mf`, `freesurfer`, `gifti`, `gltf`, `obj`, `off`, `ply`, `stl`, `vtk`, all on by
+//! default. `3mf` brings
 //! archives along (`zip`).
 
 #![cfg_attr(
     not(all(
         feature = "3mf",
+        feature = "freesurfer",
+        feature = "gifti",
         feature = "gltf",
         feature = "obj",
         feature = "off",
@@ -24,12 +27,16 @@
 
 #[cfg(feature = "zip")]
 mod archive;
-#[cfg(any(feature = "gltf", feature = "vtk"))]
+#[cfg(any(feature = "gifti", feature = "gltf", feature = "vtk"))]
 mod base64;
 mod budget;
 mod color;
 mod empty;
 mod format;
+#[cfg(feature = "freesurfer")]
+mod freesurfer;
+#[cfg(feature = "gifti")]
+mod gifti;
 #[cfg(feature = "gltf")]
 mod gltf;
 #[cfg(feature = "obj")]
@@ -39,7 +46,7 @@ mod off;
 #[cfg(feature = "ply")]
 mod ply;
 mod reader;
-#[cfg(any(feature = "ply", feature = "vtk"))]
+#[cfg(any(feature = "gifti", feature = "ply", feature = "vtk"))]
 mod scalar;
 mod seams;
 #[cfg(feature = "stl")]
@@ -52,7 +59,7 @@ pub mod triangulate;
 #[cfg(feature = "vtk")]
 pub mod vtk;
 pub mod write;
-#[cfg(any(feature = "3mf", feature = "vtk"))]
+#[cfg(any(feature = "3mf", feature = "gifti", feature = "vtk"))]
 mod xml;
 
 use format::Format;
@@ -79,6 +86,10 @@ const FORMATS: &[Format] = &[
     threemf::FORMAT,
     #[cfg(feature = "vtk")]
     vtk::FORMAT,
+    #[cfg(feature = "gifti")]
+    gifti::FORMAT,
+    #[cfg(feature = "freesurfer")]
+    freesurfer::FORMAT,
     #[cfg(feature = "stl")]
     stl::FORMAT,
     #[cfg(feature = "obj")]
@@ -150,7 +161,7 @@ pub fn names_mesh(name: &str) -> bool {
     by_extension(extension).is_some()
 }
 
-/// What points up by the rules of the format of a file: Y in glTF, Z in 3MF. Other formats say nothing.
+/// What points up by the rules of the format of a file: Y in glTF, Z in 3MF, GIFTI and FreeSurfer. Other formats say nothing.
 pub fn upward(name: &str, bytes: &[u8]) -> Option<DVec3> {
     let (_, extension) = stem_and_extension(name);
     format_of(text::without_mark(bytes), extension)?.upward

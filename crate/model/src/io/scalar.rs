@@ -1,8 +1,8 @@
 //! Numbers as bytes. Every type fits into an f64, but for whole numbers above 2⁵³, which no index is.
 
-#[cfg(feature = "vtk")]
+#[cfg(any(feature = "gifti", feature = "vtk"))]
 use super::budget::Budget;
-#[cfg(feature = "vtk")]
+#[cfg(any(feature = "gifti", feature = "vtk"))]
 use crate::error::Result;
 
 /// A type of numbers.
@@ -21,7 +21,7 @@ pub enum Scalar {
 }
 
 impl Scalar {
-    /// By its name in PLY, and in legacy and XML files of VTK.
+    /// By its name in PLY, in legacy and XML files of VTK, and in GIFTI.
     pub fn parse(word: &str) -> Option<Self> {
         Some(match word.to_ascii_lowercase().as_str() {
             "char" | "int8" | "vtktypeint8" => Self::I8,
@@ -71,7 +71,7 @@ impl Scalar {
     ///
     /// # Errors
     /// Where the budget has no room for them.
-    #[cfg(feature = "vtk")]
+    #[cfg(any(feature = "gifti", feature = "vtk"))]
     pub fn numbers(self, budget: &Budget, bytes: &[u8], is_little: bool) -> Result<Vec<f64>> {
         let mut numbers = budget.list(bytes.len() / self.size())?;
         numbers.extend(bytes.chunks_exact(self.size()).map(|bytes| self.number(bytes, is_little)));

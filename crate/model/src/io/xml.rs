@@ -8,6 +8,10 @@ use quick_xml::{Reader, XmlVersion};
 use super::reader::Reporter;
 use crate::error::Result;
 
+/// Bytes in which the root element begins.
+#[cfg(any(feature = "gifti", feature = "vtk"))]
+const HEAD: usize = 1024;
+
 /// A document, event by event.
 pub struct Document<'a> {
     reporter: Reporter,
@@ -22,7 +26,7 @@ pub enum Node<'a> {
     Start { element: BytesStart<'a>, is_empty: bool },
     /// The element of this name ends.
     End(String),
-    #[cfg(feature = "vtk")]
+    #[cfg(any(feature = "gifti", feature = "vtk"))]
     Text(Cow<'a, str>),
 }
 
@@ -44,11 +48,30 @@ impl<'a> Document<'a> {
                 Event::Start(element) => Node::Start { element, is_empty: false },
                 Event::Empty(element) => Node::Start { element, is_empty: true },
                 Event::End(element) => Node::End(element.local_name().as_ref().to_owned()),
-                #[cfg(feature = "vtk")]
+                #[cfg(any(feature = "gifti", feature = "vtk"))]
                 Event::Text(text) => Node::Text(text.into_inner()),
+                #[cfg(any(feature = "gifti", feature = "vtk"))]
+                Event::CData(text) => Node::Text(text.into_inner()),
                 Event::Eof => return Ok(None),
                 _ => continue,
             }));
+        }
+    }
+
+    /// The text up to the end of the element of this name.
+    ///
+    /// # Errors
+    /// As [`Self::next`], and where the document ends before.
+    #[cfg(any(feature = "gifti", feature = "vtk"))]
+    pub fn text(&mut self, name: &str) -> Result<String> {
+        let mut text = String::new();
+        loop {
+            match self.next()? {
+                Some(Node::Text(more)) => text.push_str(&more),
+                Some(Node::End(ended)) if ended == name => return Ok(text),
+                Some(_) => {}
+                None => return Err(self.broken("the file is cut short; copy it again")),
+            }
         }
     }
 
@@ -56,6 +79,18 @@ impl<'a> Document<'a> {
     pub fn broken(&self, problem: &str) -> crate::Error {
         self.reporter.at(format!("{}, byte {}", self.name, self.reader.buffer_position()), problem)
     }
+}
+
+/// Whether the root element of a document begins so, soon enough.
+#[cfg(any(feature = "gifti", feature = "vtk"))]
+pub fn has_root(bytes: &[u8], start: &[u8]) -> bool {
+    find(&bytes[..bytes.len().min(HEAD)], start).is_some()
+}
+
+/// Where bytes are in others first.
+#[cfg(any(feature = "gifti", feature = "vtk"))]
+pub fn find(bytes: &[u8], wanted: &[u8]) -> Option<usize> {
+    bytes.windows(wanted.len()).position(|window| window == wanted)
 }
 
 /// The attributes of an element by their local names; broken ones are left out.

@@ -11,20 +11,13 @@ use crate::error::{Error, Result};
 use crate::io::budget::Budget;
 use crate::io::scalar::{Scalar, whole};
 use crate::io::text;
-use crate::io::xml::{Document, Node, attributes};
-
-/// Bytes in which the root element begins.
-const HEAD: usize = 1024;
+use crate::io::xml::{Document, Node, attributes, find, has_root};
 
 const ROOT: &[u8] = b"<VTKFile";
 const APPENDED: &[u8] = b"<AppendedData";
 
 pub fn has_header(bytes: &[u8]) -> bool {
-    find(&bytes[..bytes.len().min(HEAD)], ROOT).is_some()
-}
-
-fn find(bytes: &[u8], wanted: &[u8]) -> Option<usize> {
-    bytes.windows(wanted.len()).position(|window| window == wanted)
+    has_root(bytes, ROOT)
 }
 
 /// How arrays of a file are written.
@@ -64,7 +57,7 @@ pub fn read<'a>(budget: &'a Budget, bytes: &[u8]) -> Result<Vec<Piece<'a>>> {
                     name.clone_into(&mut section);
                 }
                 "DataArray" if matches!(section.as_str(), "Points" | "Polys" | "Strips" | "Cells") => {
-                    let text = if is_empty { String::new() } else { text_of(&mut document)? };
+                    let text = if is_empty { String::new() } else { document.text("DataArray")? };
                     arrays
                         .push(encoding.array(&section, &element, &text).map_err(|problem| document.broken(&problem))?);
                 }
@@ -87,19 +80,6 @@ pub fn read<'a>(budget: &'a Budget, bytes: &[u8]) -> Result<Vec<Piece<'a>>> {
         }
     }
     Ok(pieces)
-}
-
-/// The text up to the end of the element.
-fn text_of(document: &mut Document) -> Result<String> {
-    let mut text = String::new();
-    loop {
-        match document.next()? {
-            Some(Node::Text(more)) => text.push_str(&more),
-            Some(Node::End(name)) if name == "DataArray" => return Ok(text),
-            Some(_) => {}
-            None => return Err(document.broken("the file is cut short; copy it again")),
-        }
-    }
 }
 
 fn piece<'a>(budget: &'a Budget, arrays: &[Array]) -> Result<Piece<'a>> {
