@@ -10,6 +10,7 @@ use heatwalk::Up;
 use heatwalk_index::Bounds;
 use heatwalk_model::Model;
 use heatwalk_model::io::write;
+use heatwalk_model::io::write::overlay::Overlay;
 use heatwalk_volume::TetSoup;
 use heatwalk_volume::io::write as volume;
 
@@ -22,8 +23,30 @@ pub type Columns = Vec<(String, Vec<f64>)>;
 #[derive(Clone, Copy)]
 pub enum DistanceFormat {
     Csv,
+    Overlay(Overlay),
     Ply,
     Glb,
+}
+
+/// Formats of which some have several columns.
+trait Columned {
+    fn has_columns(&self) -> bool;
+}
+
+impl Columned for DistanceFormat {
+    fn has_columns(&self) -> bool {
+        match self {
+            Self::Csv => true,
+            Self::Overlay(overlay) => overlay.has_columns(),
+            Self::Ply | Self::Glb => false,
+        }
+    }
+}
+
+impl Columned for VolumeFormat {
+    fn has_columns(&self) -> bool {
+        matches!(self, Self::Csv)
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -100,7 +123,8 @@ impl Output<DistanceFormat> {
     /// `several`: columns of distances.
     pub fn distance(path: &Path, several: bool) -> Result<Self> {
         let formats = [("csv", DistanceFormat::Csv), ("ply", DistanceFormat::Ply), ("glb", DistanceFormat::Glb)];
-        Self::of_distances(path, "distances", &formats, several)
+        let overlays = Overlay::ALL.map(|overlay| (overlay.ending(), DistanceFormat::Overlay(overlay)));
+        Self::of_distances(path, "distances", &[&formats[..], &overlays].concat(), several)
     }
 
     /// `columns`: named distances, one value an input vertex; a single column unless it was made for several.
@@ -114,7 +138,8 @@ impl Output<DistanceFormat> {
             turned
         };
         self.save(&match self.format {
-            DistanceFormat::Csv => distance_csv(columns),
+            DistanceFormat::Csv => write::distance_csv(&named(columns)),
+            DistanceFormat::Overlay(overlay) => overlay.bytes(&named(columns), model.soup.triangles.len()),
             DistanceFormat::Ply => write::distance_ply(&turned().soup, first),
             DistanceFormat::Glb => write::distance_glb(&turned(), first),
         })
@@ -132,7 +157,7 @@ impl Output<VolumeFormat> {
     pub fn write_volume(&self, soup: &TetSoup, columns: &[(String, Vec<f64>)]) -> Result<()> {
         let (_, first) = &columns[0];
         self.save(&match self.format {
-            VolumeFormat::Csv => distance_csv(columns),
+            VolumeFormat::Csv => write::distance_csv(&named(columns)),
             VolumeFormat::Vtu => volume::vtu(soup, Some(first)),
             VolumeFormat::Msh => volume::msh(soup, Some(first)),
         })
@@ -325,8 +350,12 @@ impl<F: Copy> Output<F> {
             let (_, format) = *formats.iter().find(|(known, _)| *known == "csv").unwrap_or(&formats[0]);
             return Ok(Self { path: path.to_owned(), format });
         }
-        let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-        let Some(&(_, format)) = formats.iter().find(|&&(known, _)| known == extension) else {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+        let ends_in = |known: &str| {
+            let stem = name.strip_suffix(known).and_then(|name| name.strip_suffix('.'));
+            stem.is_some_and(|stem| !stem.is_empty())
+        };
+        let Some(&(_, format)) = formats.iter().find(|&&(known, _)| ends_in(known)) else {
             let mut known = formats.iter().map(|(known, _)| format!(".{known}")).collect::<Vec<_>>();
             let last = known.pop().unwrap_or_default();
             let others = if known.is_empty() { String::new() } else { format!("{} or ", known.join(", ")) };
@@ -339,9 +368,16 @@ impl<F: Copy> Output<F> {
         Ok(Self { path: path.to_owned(), format })
     }
 
-    /// The same of distances, which only the first of the formats has `several` columns of.
-    fn of_distances(path: &Path, what: &str, formats: &[(&str, F)], several: bool) -> Result<Self> {
-        if several { Self::by_extension(path, OF_EACH, &formats[..1]) } else { Self::by_extension(path, what, formats) }
+    /// The same of distances, of which some formats have `several` columns.
+    fn of_distances(path: &Path, what: &str, formats: &[(&str, F)], several: bool) -> Result<Self>
+    where
+        F: Columned,
+    {
+        if !several {
+            return Self::by_extension(path, what, formats);
+        }
+        let formats: Vec<_> = formats.iter().copied().filter(|(_, format)| format.has_columns()).collect();
+        Self::by_extension(path, OF_EACH, &formats)
     }
 
     pub fn save(&self, bytes: &[u8]) -> Result<()> {
@@ -352,6 +388,6 @@ impl<F: Copy> Output<F> {
     }
 }
 
-fn distance_csv(columns: &[(String, Vec<f64>)]) -> Vec<u8> {
-    write::distance_csv(&columns.iter().map(|(name, values)| (name.as_str(), values.as_slice())).collect::<Vec<_>>())
+fn named(columns: &[(String, Vec<f64>)]) -> Vec<(&str, &[f64])> {
+    columns.iter().map(|(name, values)| (name.as_str(), values.as_slice())).collect()
 }

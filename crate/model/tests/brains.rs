@@ -6,6 +6,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use glam::DVec3;
+use heatwalk_model::io::write::overlay::Overlay;
 use heatwalk_model::{Error, io};
 use heatwalk_surface::{Soup, Unit};
 use miniz_oxide::deflate::compress_to_vec_zlib;
@@ -198,6 +199,34 @@ fn what_is_wrong_with_freesurfer_is_said() {
     ] {
         let error = read("lh.pial", &bytes).expect_err(said).to_string();
         assert!(error.contains(said), "{error}\n{said}");
+    }
+}
+
+#[test]
+fn overlays_hold_values_of_vertices() {
+    let (near, far) = ([0.0, 1.5, f64::INFINITY], [2.0, 0.25, 3.0]);
+    let bits = |values: [f64; 3], bytes: fn(f32) -> [u8; 4]| values.map(|value| bytes(value as f32)).concat();
+    let curvature = Overlay::Curvature.bytes(&[("distance", &near)], 7);
+    assert_eq!(
+        curvature,
+        [b"\xFF\xFF\xFF\0\0\0\x03\0\0\0\x07\0\0\0\x01".to_vec(), bits(near, f32::to_be_bytes)].concat()
+    );
+
+    let columns = [("near", &near[..]), ("far", &far[..])];
+    let mgh = Overlay::Mgh.bytes(&columns, 7);
+    assert_eq!(mgh.len(), 284 + 2 * 12);
+    assert_eq!(mgh[..28], [1, 3, 1, 1, 2, 3, 0].map(i32::to_be_bytes).concat());
+    assert_eq!(mgh[284..], [bits(near, f32::to_be_bytes), bits(far, f32::to_be_bytes)].concat());
+
+    for (overlay, intent) in [(Overlay::Shape, "SHAPE"), (Overlay::Func, "NONE")] {
+        let text = String::from_utf8(overlay.bytes(&columns, 7)).unwrap();
+        assert_eq!(text.matches(&format!("Intent=\"NIFTI_INTENT_{intent}\"")).count(), 2);
+        assert!(text.contains(&BASE64_STANDARD.encode(bits(far, f32::to_le_bytes))), "{text}");
+        assert!(
+            text.contains("NumberOfDataArrays=\"2\"")
+                && text.contains("<Value>far</Value>")
+                && text.contains("Dim0=\"3\"")
+        );
     }
 }
 

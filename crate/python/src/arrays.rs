@@ -86,6 +86,11 @@ impl<'py> Given<'py> {
         Ok(indices.as_chunks::<N>().0.iter().map(|corners| corners.map(|vertex| vertex as u32)).collect())
     }
 
+    /// `k × width`.
+    pub fn rows(&self, width: usize) -> Result<&Self> {
+        self.rows_of(width, &format!("(k, {width})"), "float64 or float32")
+    }
+
     fn rows_of(&self, width: usize, shape: &str, kind: &str) -> Result<&Self> {
         match self.array.shape() {
             [_, own] if *own == width => Ok(self),

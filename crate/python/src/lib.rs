@@ -21,6 +21,7 @@ mod samples;
 mod sources;
 mod tets;
 mod turn;
+mod values;
 
 use pyo3::prelude::*;
 

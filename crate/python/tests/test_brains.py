@@ -67,3 +67,36 @@ def test_files_without_a_surface_are_refused(tmp_path: Path) -> None:
     nibabel.save(GIFTI.GiftiImage(darrays=[values]), path)
     with pytest.raises(HeatwalkError, match="no surface in it"):
         heatwalk.read(path)
+
+
+def test_values_are_what_nibabel_reads(tmp_path: Path) -> None:
+    V, F = meshes.grid(4)
+    V = np.concatenate([V, [[9.0, 9, 9]]])
+    mesh = heatwalk.Mesh(V, F)
+    rows = np.stack([mesh.distance(0), mesh.distance(7)]).astype(np.float32)
+    assert rows[0, -1] == np.inf
+    for ending, intent in [("shape.gii", "NIFTI_INTENT_SHAPE"), ("func.gii", "NIFTI_INTENT_NONE")]:
+        path = tmp_path / f"lh.{ending}"
+        mesh.write_values(path, rows)
+        image = nibabel.load(path)
+        assert np.array_equal(image.agg_data(), rows)
+        assert {array.intent for array in image.darrays} == {nibabel.nifti1.intent_codes.code[intent]}
+        assert image.darrays[1].meta["Name"] == "1"
+    mesh.write_values(tmp_path / "lh.mgh", rows)
+    volume = nibabel.load(tmp_path / "lh.mgh")
+    assert volume.shape == (26, 1, 1, 2) and np.array_equal(volume.get_fdata()[:, 0, 0].T, rows)
+    assert np.isfinite(volume.affine).all()
+    mesh.write_values(tmp_path / "lh.distance.curv", rows[1])
+    assert np.array_equal(nibabel.freesurfer.read_morph_data(tmp_path / "lh.distance.curv"), rows[1])
+    for name, values, code in [
+        ("lh.curv", rows, "bad-shape"),
+        ("lh.mgh", rows[:, :5], "bad-shape"),
+        ("lh.mgh", rows[:0], "bad-shape"),
+        ("lh.gii", rows[0], "unknown-format"),
+        ("lh.mgh", rows.astype(str), "bad-dtype"),
+    ]:
+        with pytest.raises(HeatwalkError) as caught:
+            mesh.write_values(tmp_path / name, values)
+        assert caught.value.code == code, str(caught.value)
+    with pytest.raises(OSError, match="cannot write"):
+        mesh.write_values(tmp_path / "no" / "such.mgh", rows)

@@ -18,7 +18,11 @@ def examples(document: Path) -> str:
 
 
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: str(path.name))
-def test_examples_run(document: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_examples_run(
+    document: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Some write files.
+    monkeypatch.chdir(tmp_path)
     exec(compile(examples(document), document.name, "exec"), {"__name__": "example"})
 
 

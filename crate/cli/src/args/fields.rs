@@ -77,7 +77,7 @@ pub struct Distance {
     /// Time the median solve over so many single sources
     #[arg(long, value_name = "K", default_value_t = 1, conflicts_with_all = ["curves", "curve_files"], value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub repeat: u32,
-    /// Write the distances to a .csv, .ply or .glb file; of tetrahedra to a .csv, .vtu or .msh file
+    /// Write the distances to a .csv, .ply or .glb file, or to an overlay of a brain: .shape.gii, .func.gii, .mgh or .curv; of tetrahedra to a .csv, .vtu or .msh file
     #[arg(long, value_name = "FILE", group = "turned")]
     pub output: Option<PathBuf>,
     #[command(flatten)]

@@ -2,6 +2,7 @@
 
 mod animations;
 mod batch;
+mod brains;
 mod cells;
 mod clouds;
 mod coordinates;

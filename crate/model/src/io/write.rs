@@ -9,6 +9,8 @@ use heatwalk_surface::{Part, Soup};
 mod container;
 #[cfg(feature = "gltf")]
 mod glb;
+#[cfg(feature = "gifti")]
+pub mod overlay;
 #[cfg(feature = "gltf")]
 pub use container::GlbFile;
 #[cfg(feature = "gltf")]
