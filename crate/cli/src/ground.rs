@@ -12,6 +12,7 @@ use heatwalk::{Costs, DistanceSolver, FaceData, InputTriangle, InputVertex, Reli
 use heatwalk_model::Model;
 use heatwalk_volume::{TetMesh, TetSoup};
 
+use crate::labels::named_vertices;
 use crate::lists::statements;
 
 /// Ground of different difficulty.
@@ -27,7 +28,8 @@ pub struct Ground {
     /// Cost by height along --up: 1 at the lowest place, H at the highest, its logarithm in proportion between
     #[arg(long, value_name = "H", group = "turned", value_parser = cost, allow_negative_numbers = true)]
     pub height_cost: Option<f64>,
-    /// Where nobody may walk: a CSV file with a triangle a row, or the two vertices of an edge
+    /// Where nobody may walk: a CSV file with a triangle a row, or the two vertices of an edge; or FILE#NAME, the vertices of a label of a .label.gii or
+    /// .annot file, such as a medial wall
     #[arg(long, value_name = "FILE")]
     pub walls: Option<PathBuf>,
 }
@@ -224,6 +226,17 @@ fn of_attribute(name: &str, model: &Model, surface: &Surface) -> Result<Costs> {
 
 fn walls(path: &Path, soup: &Soup, surface: &Surface) -> Result<Walls> {
     let mut walls = Walls::default();
+    if let Some(vertices) = named_vertices(path)? {
+        let mut is_wall = vec![false; soup.positions.len()];
+        for vertex in vertices {
+            let vertices = is_wall.len();
+            *is_wall.get_mut(vertex).ok_or(heatwalk::surface::Error::NoSuchVertex { vertex, vertices })? = true;
+        }
+        let is_touched = |&(_, corners): &(u32, &[u32; 3])| corners.iter().any(|&corner| is_wall[corner as usize]);
+        let touched = (0..).zip(&soup.triangles).filter(is_touched);
+        walls.faces.extend(touched.filter_map(|(triangle, _)| surface.face_of_triangle(InputTriangle(triangle))));
+        return Ok(walls);
+    }
     for (line, row) in rows(path)? {
         let at = (path, line);
         match *row.as_slice() {

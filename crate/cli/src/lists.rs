@@ -7,8 +7,14 @@ use std::str::FromStr;
 use anyhow::{Context, Result, anyhow, ensure};
 use heatwalk_model::io::text;
 
-/// The lines of a text file that say something, with their numbers from 1: without blank ones, and without what follows `#`.
+use crate::labels::named_vertices;
+
+/// The lines of a text file that say something, with their numbers from 1: without blank ones, and without what follows `#`. Of a file of labels the
+/// vertices of the label that is named.
 pub fn statements(path: &Path) -> Result<Vec<(usize, String)>> {
+    if let Some(vertices) = named_vertices(path)? {
+        return Ok((1..).zip(vertices.iter().map(usize::to_string)).collect());
+    }
     let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     let text = text::decoded(&bytes).with_context(|| path.display().to_string())?;
     let text = String::from_utf8_lossy(text);

@@ -16,6 +16,7 @@ mod index;
 mod input;
 mod isolines;
 mod job;
+mod labels;
 mod lists;
 mod locate;
 mod log_map;

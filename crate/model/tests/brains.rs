@@ -6,12 +6,13 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use glam::DVec3;
+use heatwalk_model::io::labels::Labels;
 use heatwalk_model::io::write::overlay::Overlay;
 use heatwalk_model::{Error, io};
 use heatwalk_surface::{Soup, Unit};
 use miniz_oxide::deflate::compress_to_vec_zlib;
 
-use crate::reading::{cut_short_at_every_byte, flip_bytes, part_names, read};
+use crate::reading::{cut_short_at_every_byte, damaged_copies, flip_bytes, part_names, read};
 
 const POINTS: [f32; 12] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.5, 0.0, 1.0, 0.0];
 const TRIANGLES: [i32; 6] = [0, 1, 2, 0, 2, 3];
@@ -227,6 +228,81 @@ fn overlays_hold_values_of_vertices() {
                 && text.contains("<Value>far</Value>")
                 && text.contains("Dim0=\"3\"")
         );
+    }
+}
+
+/// Labels of four vertices: one without a name, and one by a key that is in no table.
+fn label_gii() -> String {
+    let table = "<LabelTable><Label Key=\"0\" Red=\"1\" Green=\"1\" Blue=\"1\" Alpha=\"0\">???</Label>\
+         <Label Key=\"12\" Red=\"1\"><![CDATA[L_V1 & V2]]></Label><Label Key=\"7\"><![CDATA[medial wall]]></Label></LabelTable>";
+    let keys = "<DataArray Intent=\"NIFTI_INTENT_LABEL\" DataType=\"NIFTI_TYPE_INT32\" Dimensionality=\"1\" Dim0=\"4\" Encoding=\"ASCII\">\
+         <Data>7 12 0 99</Data></DataArray>";
+    document(keys).replace("<LabelTable/>", table)
+}
+
+/// The same labels, with colors in the place of keys; `version` of the table.
+fn annot(version: u8) -> Vec<u8> {
+    let word = |number: i32| number.to_be_bytes();
+    let text = |text: &str| [&word(text.len() as i32 + 1)[..], text.as_bytes(), &[0]].concat();
+    let names = [("???", [25, 5, 25]), ("L_V1 & V2", [1, 2, 3]), ("medial wall", [200, 0, 255])];
+    let color = |[red, green, blue]: [i32; 3]| red + (green << 8) + (blue << 16);
+    let mut bytes = word(4).to_vec();
+    for (vertex, color) in [(0, color(names[2].1)), (1, color(names[1].1)), (2, color(names[0].1)), (3, 999)] {
+        bytes.extend([word(vertex), word(color)].concat());
+    }
+    bytes.extend(word(1));
+    if version == 2 {
+        bytes.extend([&word(-2)[..], &word(35), &text("table.txt"), &word(3)].concat());
+    } else {
+        bytes.extend([&word(3)[..], &text("table.txt")].concat());
+    }
+    for (index, (name, [red, green, blue])) in (0..).zip(names) {
+        let number = if version == 2 { word(10 * index).to_vec() } else { Vec::new() };
+        bytes.extend([&number[..], &text(name), &word(red), &word(green), &word(blue), &word(0)].concat());
+    }
+    bytes
+}
+
+#[test]
+fn labels_are_the_same_of_gifti_and_freesurfer() {
+    let expected = Labels {
+        names: ["???", "L_V1 & V2", "medial wall"].map(str::to_owned).to_vec(),
+        of_vertices: vec![Some(2), Some(1), Some(0), None],
+    };
+    assert_eq!(io::read_labels(label_gii().as_bytes()).unwrap(), expected);
+    assert_eq!(io::read_labels(&annot(1)).unwrap(), expected);
+    assert_eq!(io::read_labels(&annot(2)).unwrap(), expected);
+    assert_eq!(expected.vertices(1).collect::<Vec<_>>(), [1]);
+    assert_eq!([0, 1, 2].map(|label| expected.is_parcel(label)), [false, true, true]);
+    assert!(Labels::are_in("lh.aparc.ANNOT") && Labels::are_in("a.label.gii") && !Labels::are_in("a.csv"));
+}
+
+#[test]
+fn what_is_wrong_with_labels_is_said() {
+    let keys = label_gii();
+    let (start, end) = (keys.find("<DataArray").unwrap(), keys.find("</GIFTI>").unwrap());
+    let twice = [&keys[..end], &keys[start..end], &keys[end..]].concat();
+    let mut missing = annot(2);
+    missing[7] = 4;
+    for (bytes, said) in [
+        (twice.into_bytes(), "several maps of labels in one file"),
+        (ascii(POINTS_TEXT, "0 1 2 0 2 3").into_bytes(), "there are no labels in it"),
+        (missing, "byte 4: vertex 4 does not exist; there are 4, counted from 0"),
+        (annot(2)[..36].to_vec(), "has no table of names"),
+        (annot(1)[..60].to_vec(), "cut short"),
+        (vec![0xFF; 40], "the count is not a whole number"),
+        (vec![0x7F; 40], "cut short"),
+    ] {
+        let error = io::read_labels(&bytes).expect_err(said).to_string();
+        assert!(error.contains(said), "{error}\n{said}");
+    }
+    for bytes in [label_gii().into_bytes(), annot(1), annot(2)] {
+        (0..bytes.len()).for_each(|length| drop(io::read_labels(&bytes[..length])));
+        for damaged in damaged_copies(&bytes) {
+            if let Ok(labels) = io::read_labels(&damaged) {
+                assert!(labels.of_vertices.iter().flatten().all(|&label| (label as usize) < labels.names.len()));
+            }
+        }
     }
 }
 

@@ -139,6 +139,11 @@ impl<'py> Given<'py> {
         }
     }
 
+    /// All of its numbers, whole, row by row.
+    pub fn whole(&self) -> Result<Vec<i64>> {
+        if self.is_whole() { self.as_type("int64") } else { Err(self.bad_type("integers")) }
+    }
+
     fn as_type<T: numpy::Element + Copy>(&self, name: &str) -> Result<Vec<T>> {
         let array = self.array.call_method1("astype", (name, "C"))?;
         let array: PyReadonlyArrayDyn<'_, T> = array.extract().map_err(Failure::from)?;

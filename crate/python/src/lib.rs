@@ -12,6 +12,7 @@ mod distance;
 mod errors;
 mod index;
 mod interrupt;
+mod labels;
 mod mesh;
 mod named;
 mod options;
@@ -32,6 +33,7 @@ fn _heatwalk(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<cloud::PointCloud>()?;
     module.add_class::<index::Index>()?;
     module.add_class::<tets::TetMesh>()?;
+    module.add_function(wrap_pyfunction!(labels::read_labels, module)?)?;
     module.add_function(wrap_pyfunction!(read::read, module)?)?;
     module.add_function(wrap_pyfunction!(read::shape, module)?)
 }

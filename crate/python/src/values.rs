@@ -32,7 +32,8 @@ impl Mesh {
                 .enumerate()
                 .map(|(number, row)| (number.to_string(), row))
                 .collect();
-            if rows.len() != 1 && !(overlay.has_columns() && !rows.is_empty()) {
+            let most = if overlay.has_columns() { usize::MAX } else { 1 };
+            if !(1..=most).contains(&rows.len()) {
                 let sentence = format!("{}: there are {} columns of values; give one", path.display(), rows.len());
                 return Err(Failure::new("bad-shape", sentence));
             }

@@ -100,3 +100,82 @@ def test_values_are_what_nibabel_reads(tmp_path: Path) -> None:
         assert caught.value.code == code, str(caught.value)
     with pytest.raises(OSError, match="cannot write"):
         mesh.write_values(tmp_path / "no" / "such.mgh", rows)
+
+
+NAMES = ["unknown", "left", "right", "medial_wall", "none here"]
+
+
+def grid_labels() -> tuple[meshes.Floats, meshes.Integers, meshes.Integers]:
+    """A square, and what its vertices are called: a wall in the middle between left and right, and some without a name."""
+    V, F = meshes.grid(10)
+    labels = np.select([V[:, 1] > 0.85, V[:, 0] < 0.25, V[:, 0] > 0.75], [0, 1, 2], default=-1)
+    labels[np.isclose(V[:, 0], 0.5) & (V[:, 1] < 0.85)] = 3
+    return V, F, labels
+
+
+def test_labels_are_what_nibabel_writes(tmp_path: Path) -> None:
+    _, _, labels = grid_labels()
+    table = np.array([[9 * k + 1, 20 + k, 250 - k, 0, 0] for k in range(len(NAMES))])
+    nibabel.freesurfer.write_annot(tmp_path / "lh.annot", labels, table, NAMES, fill_ctab=True)
+    annot, _, names = nibabel.freesurfer.read_annot(tmp_path / "lh.annot")
+    read = heatwalk.read_labels(tmp_path / "lh.annot")
+    assert read.names == NAMES == [name.decode() for name in names]
+    assert np.array_equal(read.labels, annot) and np.array_equal(read.labels, labels)
+    assert np.array_equal(read.parcels, np.where(labels == 0, -1, labels))
+
+    image = GIFTI.GiftiImage()
+    for key, name in enumerate(NAMES):
+        label = GIFTI.GiftiLabel(10 * key, 0.1, 0.2, 0.3, 1.0)
+        label.label = name
+        image.labeltable.labels.append(label)
+    keys = np.where(labels < 0, 99, 10 * labels).astype(np.int32)
+    image.add_gifti_data_array(GIFTI.GiftiDataArray(keys, "NIFTI_INTENT_LABEL", "NIFTI_TYPE_INT32"))
+    nibabel.save(image, tmp_path / "lh.label.gii")
+    again = heatwalk.read_labels(tmp_path / "lh.label.gii")
+    assert again.names == NAMES and np.array_equal(again.labels, labels)
+    with pytest.raises(HeatwalkError, match="no labels in it"):
+        heatwalk.read_labels(written_gifti(tmp_path / "lh.surf.gii", *meshes.grid(2)))
+    with pytest.raises(FileNotFoundError):
+        heatwalk.read_labels(tmp_path / "missing.annot")
+
+
+def test_parcels_have_mean_and_least_distances() -> None:
+    V, F, labels = grid_labels()
+    of = heatwalk.Labels(NAMES, labels, np.where(labels == 0, -1, labels))
+    mesh = heatwalk.Mesh(V, F)
+    exact = mesh.matrix(method="exact")
+    for between, reduce in (("mean", np.mean), ("minimum", np.min)):
+        found = mesh.parcel_matrix(of.parcels, between, "exact", threads=2)  # type: ignore[arg-type]
+        assert found.shape == (4, 4) and np.isinf(found[0]).all() and np.isinf(found[:, 0]).all()
+        for a in range(1, 4):
+            for b in range(1, 4):
+                expected = reduce(exact[np.ix_(of.parcels == a, of.parcels == b)])
+                assert found[a, b] == pytest.approx(expected, rel=1e-12, abs=1e-12)
+        assert np.array_equal(found, mesh.parcel_matrix(of.parcels, between, "exact", threads=1))  # type: ignore[arg-type]
+    for parcels, between, code in [
+        (labels[:5], "mean", "bad-shape"),
+        (labels * 1.5, "mean", "bad-dtype"),
+        (labels, "median", "unknown-choice"),
+        (np.where(labels < 0, 10**6, labels), "mean", "bad-parameter"),
+    ]:
+        with pytest.raises(HeatwalkError) as caught:
+            mesh.parcel_matrix(parcels, between)  # type: ignore[arg-type]
+        assert caught.value.code == code, str(caught.value)
+
+
+def test_labels_are_sources_and_walls() -> None:
+    V, F, labels = grid_labels()
+    of = heatwalk.Labels(NAMES, labels, labels)
+    left = of.vertices("left")
+    assert (V[left, 0] < 0.25).all() and len(of.vertices("none here")) == 0
+    with pytest.raises(HeatwalkError, match="there is no label 'top'"):
+        of.vertices("top")
+    free = heatwalk.Mesh(V, F).distance(left, "exact")
+    walled = heatwalk.Mesh(V, F, walls=of.walls(F, "medial_wall"))
+    around = walled.distance(left, "exact")
+    right = of.vertices("right")
+    assert np.isinf(around[of.vertices("medial_wall")]).all()
+    assert np.isfinite(around[right]).all() and around[right[0]] > free[right[0]] + 0.5
+    # What is inside of walls is in no parcel.
+    found = walled.parcel_matrix(labels, "minimum", "exact")
+    assert np.isinf(found[3]).all() and np.isfinite(found[1, 2])

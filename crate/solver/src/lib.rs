@@ -118,7 +118,7 @@ pub use propagation::{Carriers, ExactSearch, Propagation, PropagationOptions, Wi
 pub use refinement::PropagationRefinement;
 pub use relief::Relief;
 pub use sampling::{SampleCount, Samples, farthest_samples};
-pub use solver::{Answer, DistanceOptions, DistanceSolver, Joined, Solution, row_source};
+pub use solver::{Answer, DistanceOptions, DistanceSolver, Joined, ParcelDistance, Solution, row_source};
 
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]

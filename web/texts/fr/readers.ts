@@ -154,6 +154,10 @@ export const READERS: Texts = {
     'le tableau {0} a des lignes de {1} nombres au lieu de 3 ; enregistrez le fichier de nouveau',
   'there is no surface in it; give the file of points and triangles (.surf.gii)':
     'il ne contient pas de surface ; donnez le fichier des points et des triangles (.surf.gii)',
+  'there are no labels in it; give a .label.gii file': 'il ne contient pas d’étiquettes ; donnez un fichier .label.gii',
+  'several maps of labels in one file': 'plusieurs cartes d’étiquettes dans un fichier',
+  'the annotation has no table of names; save it with its colors':
+    'l’annotation n’a pas de table de noms ; enregistrez-la avec ses couleurs',
   'several surfaces in one file': 'plusieurs surfaces dans un fichier',
   'save each by itself': 'enregistrez chacune à part',
   'it does not begin as a surface of FreeSurfer does; save it again, in binary form':

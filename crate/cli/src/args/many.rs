@@ -9,6 +9,7 @@ use heatwalk::{DistanceOptions, MultiSource};
 use super::common::{Bridging, Mesh, UpAxis};
 use super::fields::Solving;
 use super::values::{at_least_one, positive};
+use crate::labels::Between;
 use crate::method::MethodOptions;
 use crate::number::Number;
 
@@ -63,6 +64,12 @@ pub struct Matrix {
     /// A row for each of so many vertices, each the one that is farthest from those before it, as sample gives them
     #[arg(long, value_name = "N", group = "rows", value_parser = at_least_one)]
     pub landmarks: Option<usize>,
+    /// A row and a column for each parcel of a .label.gii or .annot file
+    #[arg(long, value_name = "FILE", group = "rows", conflicts_with = "targets")]
+    pub parcels: Option<PathBuf>,
+    /// Which distance parcels have: the mean over all pairs of their vertices (default), or the least
+    #[arg(long, value_name = "mean|minimum", requires = "parcels", value_enum)]
+    pub between: Option<Between>,
     /// A column for each vertex of a text file, one a line; without it for each vertex of the mesh
     #[arg(long, value_name = "FILE")]
     pub targets: Option<PathBuf>,

@@ -3,6 +3,7 @@
 mod fingerprint;
 mod npy;
 mod npz;
+mod parcels;
 mod part;
 mod row;
 mod sink;
@@ -41,6 +42,11 @@ pub fn matrix(arguments: &Matrix) -> Result<String> {
     volume::Input::refuse(&arguments.mesh, "a matrix is of distances on a surface, not inside")?;
     let options = arguments.distance_options()?;
     let output = Output::matrix(&arguments.output)?;
+    if let Some(file) = &arguments.parcels {
+        let (mut report, times) = parcels::matrix(arguments, file, &output)?;
+        told_times(&mut report, times);
+        return Ok(report.render(arguments.mesh.json));
+    }
     let is_limited = arguments.max_distance.is_some();
     ensure!(
         is_limited || !matches!(output.format, MatrixFormat::Npz),

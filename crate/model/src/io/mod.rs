@@ -39,6 +39,8 @@ mod freesurfer;
 mod gifti;
 #[cfg(feature = "gltf")]
 mod gltf;
+#[cfg(all(feature = "freesurfer", feature = "gifti"))]
+pub mod labels;
 #[cfg(feature = "obj")]
 mod obj;
 #[cfg(feature = "off")]
@@ -139,6 +141,17 @@ fn read_format(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) 
     expect_mesh(name, bytes)?;
     let format = format_of(bytes, extension).ok_or_else(|| unknown(name, extension))?;
     (format.read)(budget, stem, bytes, resources)
+}
+
+/// Reads labels of vertices: GIFTI by its first bytes, an annotation of FreeSurfer else.
+///
+/// # Errors
+/// [`Error::Malformed`]; [`Error::Unsupported`] for several maps of labels in one file; [`Error::OverBudget`].
+#[cfg(all(feature = "freesurfer", feature = "gifti"))]
+pub fn read_labels(bytes: &[u8]) -> Result<labels::Labels> {
+    let budget = Budget::of_file(bytes.len());
+    let bytes = text::without_mark(bytes);
+    if gifti::has_header(bytes) { gifti::labels(&budget, bytes) } else { freesurfer::read_annotation(&budget, bytes) }
 }
 
 /// Converters read the formats that have no good reader in Rust.

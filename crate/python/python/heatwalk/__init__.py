@@ -17,6 +17,7 @@ from heatwalk._answers import (
     Cells,
     Curve,
     Isoline,
+    Labels,
     LogMap,
     Mean,
     Path,
@@ -28,7 +29,7 @@ from heatwalk._answers import (
     Walk,
 )
 from heatwalk._errors import HeatwalkError
-from heatwalk._heatwalk import Index, Mesh, PointCloud, TetMesh, __version__, read, shape
+from heatwalk._heatwalk import Index, Mesh, PointCloud, TetMesh, __version__, read, read_labels, shape
 
 __all__ = [
     "Answer",
@@ -38,6 +39,7 @@ __all__ = [
     "HeatwalkError",
     "Index",
     "Isoline",
+    "Labels",
     "LogMap",
     "Mean",
     "Mesh",
@@ -52,5 +54,6 @@ __all__ = [
     "Walk",
     "__version__",
     "read",
+    "read_labels",
     "shape",
 ]

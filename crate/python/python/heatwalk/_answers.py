@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from heatwalk._errors import HeatwalkError
+
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
@@ -79,6 +81,27 @@ class Walk(NamedTuple):
     """(3,), the unit vector along the walk at its end."""
     at_boundary: bool
     """Whether the surface ended before the length was walked."""
+
+
+class Labels(NamedTuple):
+    """What each vertex of a surface is called, such as the parcels of an atlas."""
+
+    names: list[str]
+    """Of labels, in the order of the file."""
+    labels: Integers
+    """(n,), the label of each vertex, an index of `names`; -1 where the file names none."""
+    parcels: Integers
+    """(n,), the same with -1 also for names by which programs say that there is no label: `???`, `unknown`."""
+
+    def vertices(self, name: str) -> Integers:
+        """(k,), the vertices of a label. Raises HeatwalkError where there is none of this name."""
+        if name not in self.names:
+            raise HeatwalkError(f"there is no label '{name}'; there are {', '.join(self.names)}", "unknown-choice")
+        return np.flatnonzero(np.isin(self.labels, [label for label, own in enumerate(self.names) if own == name]))
+
+    def walls(self, faces: Integers, name: str) -> Integers:
+        """(k,), the faces, of (m, 3), with a vertex of a label: as `walls` of a `Mesh` they keep paths from crossing it."""
+        return np.flatnonzero(np.isin(faces, self.vertices(name)).any(axis=1))
 
 
 class LogMap(NamedTuple):

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from typing_extensions import Unpack, disjoint_base
 
-from heatwalk._answers import Answer, Bounds, Cells, Isoline, LogMap, Mean, Path, Samples, Snapped, TangentFrames, TetPath, Walk
+from heatwalk._answers import Answer, Bounds, Cells, Isoline, Labels, LogMap, Mean, Path, Samples, Snapped, TangentFrames, TetPath, Walk
 
-__all__ = ["Index", "Mesh", "PointCloud", "TetMesh", "__version__", "read", "shape"]
+__all__ = ["Index", "Mesh", "PointCloud", "TetMesh", "__version__", "read", "read_labels", "shape"]
 
 __version__: str
 
@@ -55,6 +55,7 @@ def read(
     links: int = 0,
     threads: int | None = None,
 ) -> Mesh: ...
+def read_labels(path: str | PathLike[str]) -> Labels: ...
 def shape(name: str) -> Mesh: ...
 @disjoint_base
 class Mesh:
@@ -184,6 +185,16 @@ class Mesh:
     def mean(
         self, sources: _Places, weights: ArrayLike | None = None, *, progress: _Progress | None = None
     ) -> Mean: ...
+    def parcel_matrix(
+        self,
+        parcels: ArrayLike,
+        between: Literal["mean", "minimum"] = "mean",
+        method: _Method = "auto",
+        *,
+        threads: int | None = None,
+        progress: _Progress | None = None,
+        **options: Unpack[_Options],
+    ) -> _Floats: ...
     def write_values(self, path: str | PathLike[str], values: ArrayLike) -> None: ...
     def __getnewargs_ex__(self) -> tuple[tuple[_Floats, _Integers], dict[str, Any]]: ...
     def __copy__(self) -> Mesh: ...

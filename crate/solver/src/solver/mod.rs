@@ -9,6 +9,7 @@ mod ground;
 mod joined;
 mod options;
 mod pairs;
+mod parcels;
 mod paths;
 mod questions;
 mod rows;
@@ -21,6 +22,7 @@ use std::sync::Arc;
 pub use answer::Answer;
 pub use joined::Joined;
 pub use options::DistanceOptions;
+pub use parcels::ParcelDistance;
 pub use rows::row_source;
 pub use solution::Solution;
 

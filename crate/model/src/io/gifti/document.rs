@@ -6,14 +6,15 @@ use base64::Engine as _;
 use miniz_oxide::inflate::decompress_slice_iter_to_slice;
 use quick_xml::events::BytesStart;
 
-use super::GIFTI;
 use crate::error::{Error, Result};
 use crate::io::base64::BASE64;
 use crate::io::budget::Budget;
-use crate::io::reader::Resources;
+use crate::io::reader::{Reporter, Resources};
 use crate::io::scalar::Scalar;
 use crate::io::text;
 use crate::io::xml::{Document, Node, attributes};
+
+pub const GIFTI: Reporter = Reporter("GIFTI");
 
 /// All that a file holds.
 #[derive(Default)]

@@ -4,19 +4,22 @@
 
 mod document;
 
+#[cfg(feature = "freesurfer")]
+use std::collections::HashMap;
+
 use glam::DVec3;
 use heatwalk_surface::{Soup, Unit};
 
-use self::document::Array;
+use self::document::{Array, Contents, GIFTI};
 use super::budget::Budget;
 use super::format::Format;
-use super::reader::{Reporter, Resources};
+#[cfg(feature = "freesurfer")]
+use super::labels::Labels;
+use super::reader::Resources;
 use super::scalar::whole;
 use super::xml;
 use crate::error::{Error, Result};
 use crate::model::Model;
-
-const GIFTI: Reporter = Reporter("GIFTI");
 
 pub(super) const FORMAT: Format = Format {
     extensions: &["gii"],
@@ -25,14 +28,14 @@ pub(super) const FORMAT: Format = Format {
     upward: Some(DVec3::Z),
 };
 
-fn has_header(bytes: &[u8]) -> bool {
+pub fn has_header(bytes: &[u8]) -> bool {
     xml::has_root(bytes, b"<GIFTI")
 }
 
 fn read(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Result<Soup> {
-    let contents = document::read(budget, bytes, resources)?;
-    let points = only(&contents.arrays, "POINTSET")?;
-    let triangles = only(&contents.arrays, "TRIANGLE")?;
+    let Contents { arrays, .. } = document::read(budget, bytes, resources)?;
+    let points = of_three(only(&arrays, "POINTSET", SURFACES)?)?;
+    let triangles = of_three(only(&arrays, "TRIANGLE", SURFACES)?)?;
     let mut positions = budget.list(points.rows)?;
     positions.extend(points.numbers.chunks_exact(3).map(DVec3::from_slice));
     let mut corners = budget.list(triangles.rows)?;
@@ -56,21 +59,47 @@ fn read(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Resu
     Ok(Soup { unit: Some(Unit::Millimeter), ..Soup::single(name, positions, corners) })
 }
 
-/// The array of rows of three numbers that has this intent.
-fn only<'a>(arrays: &'a [Array], intent: &str) -> Result<&'a Array> {
+/// The labels of vertices.
+#[cfg(feature = "freesurfer")]
+pub fn labels(budget: &Budget, bytes: &[u8]) -> Result<Labels> {
+    let Contents { arrays, labels: table } = document::read(budget, bytes, &|_| None)?;
+    let keys = only(&arrays, "LABEL", LABELS)?;
+    let mut label_of_key = HashMap::new();
+    let mut labels = Labels { names: Vec::new(), of_vertices: budget.list(keys.numbers.len())? };
+    for (key, name) in table {
+        label_of_key.entry(key).or_insert(labels.names.len() as u32);
+        labels.names.push(name);
+    }
+    let label = |&key: &f64| (key.fract() == 0.0).then(|| label_of_key.get(&(key as i64)).copied()).flatten();
+    labels.of_vertices.extend(keys.numbers.iter().map(label));
+    Ok(labels)
+}
+
+/// What is said where an array is missing, and where it is there several times.
+type Said = [&'static str; 2];
+
+const SURFACES: Said =
+    ["there is no surface in it; give the file of points and triangles (.surf.gii)", "several surfaces in one file"];
+#[cfg(feature = "freesurfer")]
+const LABELS: Said = ["there are no labels in it; give a .label.gii file", "several maps of labels in one file"];
+
+/// The array that has this intent.
+fn only<'a>(arrays: &'a [Array], intent: &str, [missing, several]: Said) -> Result<&'a Array> {
     let mut found = arrays.iter().filter(|array| array.intent == intent);
-    let Some(array) = found.next() else {
-        let problem = "there is no surface in it; give the file of points and triangles (.surf.gii)";
-        return Err(GIFTI.at("document", problem));
-    };
+    let array = found.next().ok_or_else(|| GIFTI.at("document", missing))?;
     if found.next().is_some() {
-        let (feature, remedy) = ("several surfaces in one file".to_owned(), "save each by itself".to_owned());
+        let (feature, remedy) = (several.to_owned(), "save each by itself".to_owned());
         return Err(Error::Unsupported { format: "GIFTI", feature, remedy });
     }
-    if array.columns != 3 {
-        let problem =
-            format!("the array {intent} has rows of {} numbers in place of 3; save the file again", array.columns);
-        return Err(GIFTI.at("document", problem));
-    }
     Ok(array)
+}
+
+/// Refuses an array whose rows have not three numbers.
+fn of_three(array: &Array) -> Result<&Array> {
+    if array.columns == 3 {
+        return Ok(array);
+    }
+    let (intent, columns) = (&array.intent, array.columns);
+    let problem = format!("the array {intent} has rows of {columns} numbers in place of 3; save the file again");
+    Err(GIFTI.at("document", problem))
 }

@@ -2,16 +2,19 @@
 //! cuts them. All numbers have the most significant byte first. Coordinates are millimeters around the center of the volume ("surface
 //! RAS"), as other programs read them; what follows the triangles says where that is, and lengths need it not.
 
+mod annotation;
+mod bytes;
+
 use glam::DVec3;
 use heatwalk_surface::{Soup, Unit};
 
+use self::bytes::{Bytes, FREESURFER};
 use super::budget::Budget;
 use super::format::Format;
-use super::reader::Reporter;
 use crate::error::Result;
 use crate::model::Model;
 
-const FREESURFER: Reporter = Reporter("FreeSurfer");
+pub use annotation::read as read_annotation;
 
 /// First bytes of files of triangles.
 const TRIANGLES: [u8; 3] = [0xFF, 0xFF, 0xFE];
@@ -28,7 +31,7 @@ pub const FORMAT: Format = Format {
 };
 
 fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
-    let mut bytes = Bytes { all: bytes, place: 0 };
+    let mut bytes = Bytes::new(bytes);
     let (positions, triangles) = match bytes.take()? {
         TRIANGLES => triangles(budget, &mut bytes)?,
         QUADS => quads(budget, &mut bytes, 4)?,
@@ -53,12 +56,12 @@ fn triangles(budget: &Budget, bytes: &mut Bytes) -> Result<Mesh> {
     bytes.skip_line()?;
     bytes.skip_line()?;
     let counts = [bytes.take()?, bytes.take()?].map(u32::from_be_bytes);
-    bytes.require(counts[0], 12)?;
+    bytes.require(counts[0].into(), 12)?;
     let mut positions = budget.list(counts[0] as usize)?;
     for _ in 0..counts[0] {
         positions.push(bytes.position(4)?);
     }
-    bytes.require(counts[1], 12)?;
+    bytes.require(counts[1].into(), 12)?;
     let mut triangles = budget.list(counts[1] as usize)?;
     for _ in 0..counts[1] {
         triangles.push([bytes.take()?, bytes.take()?, bytes.take()?].map(u32::from_be_bytes));
@@ -69,68 +72,16 @@ fn triangles(budget: &Budget, bytes: &mut Bytes) -> Result<Mesh> {
 /// With coordinates of so many bytes.
 fn quads(budget: &Budget, bytes: &mut Bytes, width: usize) -> Result<Mesh> {
     let counts = [bytes.index()?, bytes.index()?];
-    bytes.require(counts[0], 3 * width)?;
+    bytes.require(counts[0].into(), 3 * width)?;
     let mut positions = budget.list(counts[0] as usize)?;
     for _ in 0..counts[0] {
         positions.push(bytes.position(width)?);
     }
-    bytes.require(counts[1], 12)?;
+    bytes.require(counts[1].into(), 12)?;
     let mut triangles = budget.list(2 * counts[1] as usize)?;
     for _ in 0..counts[1] {
         let [a, b, c, d] = [bytes.index()?, bytes.index()?, bytes.index()?, bytes.index()?];
         triangles.extend(if a % 2 == 0 { [[a, b, d], [c, d, b]] } else { [[a, b, c], [a, c, d]] });
     }
     Ok((positions, triangles))
-}
-
-/// What is left of a file.
-struct Bytes<'a> {
-    all: &'a [u8],
-    place: usize,
-}
-
-impl Bytes<'_> {
-    fn cut_short(&self) -> crate::Error {
-        FREESURFER.at(format!("byte {}", self.all.len()), "the file is cut short; copy it again")
-    }
-
-    fn rest(&self) -> &[u8] {
-        &self.all[self.place..]
-    }
-
-    /// Refuses a file that is too short for so many items of so many bytes.
-    fn require(&self, count: u32, size: usize) -> Result<()> {
-        let is_there = (count as usize).checked_mul(size).is_some_and(|size| size <= self.rest().len());
-        if is_there { Ok(()) } else { Err(self.cut_short()) }
-    }
-
-    fn take<const N: usize>(&mut self) -> Result<[u8; N]> {
-        let taken = self.rest().first_chunk().copied().ok_or_else(|| self.cut_short())?;
-        self.place += N;
-        Ok(taken)
-    }
-
-    fn skip_line(&mut self) -> Result<()> {
-        let end = self.rest().iter().position(|&byte| byte == b'\n').ok_or_else(|| self.cut_short())?;
-        self.place += end + 1;
-        Ok(())
-    }
-
-    /// Of three bytes.
-    fn index(&mut self) -> Result<u32> {
-        let [a, b, c] = self.take()?;
-        Ok(u32::from_be_bytes([0, a, b, c]))
-    }
-
-    fn position(&mut self, width: usize) -> Result<DVec3> {
-        let mut coordinates = [0.0; 3];
-        for coordinate in &mut coordinates {
-            *coordinate = if width == 2 {
-                f64::from(i16::from_be_bytes(self.take()?)) / 100.0
-            } else {
-                f32::from_be_bytes(self.take()?).into()
-            };
-        }
-        Ok(coordinates.into())
-    }
 }
