@@ -20,6 +20,7 @@
         dead_code,
         unreachable_code,
         unreachable_patterns,
+        unused_imports,
         unused_variables,
         reason = "each reader uses some of what they share"
     )
@@ -39,7 +40,7 @@ mod freesurfer;
 mod gifti;
 #[cfg(feature = "gltf")]
 mod gltf;
-#[cfg(all(feature = "freesurfer", feature = "gifti"))]
+#[cfg(any(feature = "freesurfer", feature = "gifti"))]
 pub mod labels;
 #[cfg(feature = "obj")]
 mod obj;

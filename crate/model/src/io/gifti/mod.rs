@@ -4,7 +4,6 @@
 
 mod document;
 
-#[cfg(feature = "freesurfer")]
 use std::collections::HashMap;
 
 use glam::DVec3;
@@ -13,7 +12,6 @@ use heatwalk_surface::{Soup, Unit};
 use self::document::{Array, Contents, GIFTI};
 use super::budget::Budget;
 use super::format::Format;
-#[cfg(feature = "freesurfer")]
 use super::labels::Labels;
 use super::reader::Resources;
 use super::scalar::whole;
@@ -60,7 +58,6 @@ fn read(budget: &Budget, name: &str, bytes: &[u8], resources: Resources) -> Resu
 }
 
 /// The labels of vertices.
-#[cfg(feature = "freesurfer")]
 pub fn labels(budget: &Budget, bytes: &[u8]) -> Result<Labels> {
     let Contents { arrays, labels: table } = document::read(budget, bytes, &|_| None)?;
     let keys = only(&arrays, "LABEL", LABELS)?;
@@ -80,7 +77,6 @@ type Said = [&'static str; 2];
 
 const SURFACES: Said =
     ["there is no surface in it; give the file of points and triangles (.surf.gii)", "several surfaces in one file"];
-#[cfg(feature = "freesurfer")]
 const LABELS: Said = ["there are no labels in it; give a .label.gii file", "several maps of labels in one file"];
 
 /// The array that has this intent.
