@@ -285,3 +285,17 @@ def test_the_extra_is_named_where_dask_is_missing() -> None:
     script = "import sys; sys.modules['distributed'] = None; import heatwalk.dask"
     run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
     assert run.returncode == 1 and 'pip install "heatwalk[dask]"' in run.stderr
+
+
+def test_the_example_of_the_document_runs(
+    client: Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = (ROOT / "docs" / "datasets.md").read_text(encoding="utf-8")
+    examples = re.findall(r"^```python\n(.*?)^```", text, re.M | re.S)
+    # Its cluster is this one.
+    monkeypatch.setattr("distributed.Client", lambda **_: client.as_current())
+    monkeypatch.chdir(tmp_path)
+    for example in examples:
+        exec(compile(example, "datasets.md", "exec"), {"__name__": "__main__"})
+    told = capsys.readouterr().out
+    assert "file-system" in told and "Saved(rows=64, rows_before=0)" in told

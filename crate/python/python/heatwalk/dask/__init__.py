@@ -10,8 +10,9 @@ try:
     import dask.array
     import dask.bag
     import distributed
-except ImportError as error:
-    raise ImportError('heatwalk.dask needs Dask and its workers: pip install "heatwalk[dask]"') from error
+except ImportError:
+    # The cause is told as the context.
+    raise ImportError('heatwalk.dask needs Dask and its workers: pip install "heatwalk[dask]"')  # noqa: B904
 
 from heatwalk.dask._given import MeshLike
 from heatwalk.dask._many import Row, answers, bag

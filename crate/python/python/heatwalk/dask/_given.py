@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from heatwalk._errors import HeatwalkError
 from heatwalk._heatwalk import Mesh, read
 
-MeshLike: TypeAlias = "str | os.PathLike[str] | Mesh | tuple[ArrayLike, ArrayLike]"
+MeshLike: TypeAlias = str | os.PathLike[str] | Mesh | tuple[ArrayLike, ArrayLike]
 """A path that every worker sees, a mesh, or its arrays `(V, F)`."""
 
 
