@@ -3,7 +3,7 @@
 import { cpSync, mkdirSync, readdirSync, rmSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { installs, NUMPY, requirePython, SCIPY } from './peers.mjs';
-import { cargo, root, run } from './steps.mjs';
+import { cargo, root, run, runBeside } from './steps.mjs';
 
 const DASK = ['dask==2026.8.0', 'distributed==2026.8.0', 'zarr==3.1.6'];
 const MATURIN = 'maturin==1.16.0';
@@ -23,7 +23,7 @@ const MODULES = { darwin: 'lib_heatwalk.dylib', win32: '_heatwalk.dll' };
  * Tests the package with a module that is built beside the other tests: with them, `packages`, it has the features of what both
  * are made of, so that nothing but itself is compiled again. What maturin would build of the package alone shares next to nothing.
  */
-export function testPackage(packages) {
+export async function testPackage(packages) {
   const python = requirePython(NUMPY, SCIPY, SCIPY_STUBS, PYTEST, MYPY, NIBABEL, ...DASK);
   cargo('Building the module of the Python package', ['build', ...packages, '--lib', '--tests'], named);
   const folder = join(target, 'python');
@@ -32,14 +32,23 @@ export function testPackage(packages) {
   const module = process.platform === 'win32' ? '_heatwalk.pyd' : '_heatwalk.abi3.so';
   cpSync(join(target, 'debug', MODULES[process.platform] ?? 'lib_heatwalk.so'), join(folder, 'heatwalk', module));
   const paths = { PYTHONPATH: folder, MYPYPATH: folder, PYTHONDONTWRITEBYTECODE: '1' };
-  const tests = ['-m', 'pytest', '--quiet', '-p', 'no:cacheprovider', join(source, 'tests')];
-  run("Running the Python package's tests", python, tests, named, paths);
   const cache = ['--cache-dir', join(target, 'mypy')];
   // Not all functions of Dask have types.
   const untyped = ['dask', 'distributed'].flatMap((name) => ['--untyped-calls-exclude', name]);
   const types = ['-m', 'mypy', '--strict', ...untyped, ...cache, folder];
-  run('Checking the types of the Python package', python, types, named, paths);
-  run('Comparing them with the module', python, ['-m', 'mypy.stubtest', 'heatwalk'], named, paths);
+  // The tests take one core.
+  const areTyped = runBeside('Checking the types of the Python package', python, types, named, paths);
+  const areTrue = runBeside(
+    'Comparing them with the module',
+    python,
+    ['-m', 'mypy.stubtest', 'heatwalk'],
+    named,
+    paths,
+  );
+  const tests = ['-m', 'pytest', '--quiet', '-p', 'no:cacheprovider', join(source, 'tests')];
+  run("Running the Python package's tests", python, tests, named, paths);
+  await areTyped();
+  await areTrue();
 }
 
 /** Builds the package as pip does, from this checkout and from what would be published of its sources, and tries both; gives the files. */

@@ -74,7 +74,7 @@ if (isSlow) {
   const hasDocumentation = runBeside(examples, 'cargo', ['test', ...most, '--doc'], named, documented);
   cargo('Running the Rust tests', ['test', ...most, '--lib', '--bins', '--tests', ...all], named, gpu);
   await hasDocumentation();
-  testPackage(most);
+  await testPackage(most);
   packCrates();
   cargo('Running the tests of the build steps', ['test', '--package', 'xtask'], named);
   cargo("Running the solver's tests on wasm32", ['xtask', 'test-wasm'], named);
