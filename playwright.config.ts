@@ -16,7 +16,7 @@ const PICTURES = /pictures\.spec\.ts$/;
 /** What is tried in Chromium as people have it. */
 const WHOLE = /(firstvisit|offline)\.spec\.ts$/;
 /** What is looked at on both backends, less the tests in it of what the page does, which is the same on either. */
-const DRAWN = /(compare|display|firstvisit|lost|opening|pictures|renderers)\.spec\.ts$/;
+const DRAWN = /(compare|display|lost|opening|pictures|renderers)\.spec\.ts$/;
 
 const CHROMIUM = process.env['CHROMIUM'] ?? '/usr/bin/chromium';
 /** Chromium without windows where it is there, in which the page takes four fifths of the time. */

@@ -187,7 +187,8 @@ function moved(size: number, shift: readonly number[]): string {
   return obj({ ball: place(sphere(24), 0), plate: place(grid(4), -1.2) });
 }
 
-test('a mesh of any size and position looks the same', async ({ heatwalk, page }) => {
+// Sizes and positions are taken off before either backend sees them.
+test('a mesh of any size and position looks the same', { tag: '@page' }, async ({ heatwalk, page }) => {
   test.setTimeout(300_000);
   await page.emulateMedia({ colorScheme: 'light' });
   const link =
