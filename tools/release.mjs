@@ -79,7 +79,9 @@ function buildProgram() {
   writeFileSync(mesh, 'OFF\n3 1 0\n0 0 0\n3 0 0\n0 4 0\n3 0 1 2\n');
   const answer = output(file, ['distance', mesh, '--source', '1', '--output', '-']);
   rmSync(mesh);
-  if (answer?.split('\n').at(-1) !== '2,5') fail(`The program answers a triangle of sides 3, 4 and 5 by "${answer}".`);
+  if (Number(answer?.split(',').at(-1)) !== 5) {
+    fail(`The program answers a triangle of sides 3, 4 and 5 by "${answer}".`);
+  }
   return file;
 }
 
