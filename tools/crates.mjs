@@ -43,7 +43,7 @@ export function tryCrates(files) {
     ...patched,
   ]);
   copyFileSync(join(root, 'Cargo.lock'), join(folder, 'Cargo.lock'));
-  const alone = ['--manifest-path', join(folder, 'Cargo.toml'), '--target-dir', join(folder, 'target')];
+  const alone = ['--manifest-path', join(folder, 'Cargo.toml'), '--target-dir', join(target, 'crates-built')];
   cargo('Compiling the packed crates', ['build', '--workspace', ...alone], named);
   cargo('Running an example with them', ['run', '--package', 'example', ...alone], named);
 }
