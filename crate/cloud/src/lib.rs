@@ -37,6 +37,7 @@ use std::num::NonZeroUsize;
 use glam::DVec3;
 use heatwalk_base::memory::has_room;
 use heatwalk_base::parallel;
+use heatwalk_base::sort;
 use heatwalk_surface::Soup;
 use heatwalk_surface::index::along_curve;
 
@@ -161,7 +162,7 @@ fn different(points: &[DVec3], threads: NonZeroUsize) -> (Vec<u32>, Vec<[u32; 2]
     let mut order: Vec<u32> = (0..points.len() as u32).filter(|&point| points[point as usize].is_finite()).collect();
     // −0 and +0 are one place.
     let key = |point: u32| (points[point as usize] + DVec3::ZERO).to_array();
-    order.sort_unstable_by(|&a, &b| {
+    sort::sort_by(&mut order, |&a, &b| {
         let [p, q] = [key(a), key(b)];
         p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])).then(p[2].total_cmp(&q[2])).then(a.cmp(&b))
     });
@@ -220,6 +221,6 @@ fn ranked(positions: &[DVec3], mut found: Vec<[u32; 3]>) -> Vec<[u32; 3]> {
         }
     };
     let mut ranked: Vec<_> = found.chunk_by(|a, b| a == b).map(rank).collect();
-    ranked.sort_unstable();
+    sort::sort(&mut ranked);
     ranked.into_iter().map(|(.., triangle)| triangle).collect()
 }
