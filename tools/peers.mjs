@@ -47,9 +47,9 @@ export function findReaders() {
 
 /** The Python to test the package of this project with. */
 export function requirePython(...packages) {
-  const check = 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 10))';
+  const check = 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 11))';
   if (spawnSync('python3', ['-c', check], { stdio: 'ignore' }).status === 0) return pythonWith(...packages);
-  return fail('Python 3.10 or newer with venv is needed, for the tests of the Python package. Install it.');
+  return fail('Python 3.11 or newer with venv is needed, for the tests of the Python package. Install it.');
 }
 
 /** Whether a package that builds on libraries of the system could be installed. */

@@ -55,6 +55,21 @@ impl TetMesh {
         self.mesh.to_inputs(&distance.values, f64::INFINITY)
     }
 
+    /// What the caller asked for.
+    fn asked(
+        &self,
+        py: Python<'_>,
+        sources: &Bound<'_, PyAny>,
+        method: &str,
+        initial: Option<&Bound<'_, PyAny>>,
+        progress: Option<Py<PyAny>>,
+        options: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<VolumeDistance> {
+        let (sources, initial) = (several("source", sources)?, initial_distances(initial)?);
+        let options = volume_options(method, options)?;
+        run(py, progress, |progress| self.answer(&sources, initial.as_deref(), &options, progress))
+    }
+
     fn answer(
         &self,
         places: &[TetPlace],
@@ -193,12 +208,8 @@ impl TetMesh {
         progress: Option<Py<PyAny>>,
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let (sources, initial) = (several("source", sources)?, initial_distances(initial)?);
-        let options = volume_options(method, options)?;
-        let values = run(py, progress, |progress| {
-            Ok(self.values(&self.answer(&sources, initial.as_deref(), &options, progress)?))
-        })?;
-        Ok(PyArray1::from_vec(py, values))
+        let answer = self.asked(py, sources, method, initial, progress, options)?;
+        Ok(PyArray1::from_vec(py, self.values(&answer)))
     }
 
     /// As `distance`, with how it was found.
@@ -214,9 +225,7 @@ impl TetMesh {
         progress: Option<Py<PyAny>>,
         options: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let (sources, initial) = (several("source", sources)?, initial_distances(initial)?);
-        let options = volume_options(method, options)?;
-        let answer = run(py, progress, |progress| self.answer(&sources, initial.as_deref(), &options, progress))?;
+        let answer = self.asked(py, sources, method, initial, progress, options)?;
         let values = PyArray1::from_vec(py, self.values(&answer));
         named(py, "Answer", (values, answer.method.name(), answer.exact_below, 0))
     }
