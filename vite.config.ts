@@ -3,6 +3,7 @@ import { docs } from './tools/vite/docs.ts';
 import { host } from './tools/vite/host.ts';
 import { meshes } from './tools/vite/meshes.ts';
 import { offline, OFFLINE_WORKER } from './tools/vite/offline.ts';
+import { policy } from './tools/vite/policy.ts';
 import { schemes } from './tools/vite/schemes.ts';
 
 /** d3-scale-chromatic makes its other color schemes by these when it is loaded, wanted or not. */
@@ -16,7 +17,7 @@ export default defineConfig({
   base: './',
   worker: { format: 'es' },
   assetsInclude: ['**/*.ply.gz'],
-  plugins: [docs(import.meta.dirname), host(), meshes(), offline(), schemes()],
+  plugins: [docs(import.meta.dirname), host(), meshes(), policy(), offline(), schemes()],
   build: {
     target: 'es2022',
     outDir: 'dist',

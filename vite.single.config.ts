@@ -13,7 +13,7 @@ export default defineConfig({
   base: './',
   publicDir: false,
   assetsInclude: shared.assetsInclude ?? [],
-  plugins: [packedModules(), documentsWithin(import.meta.dirname), host(), meshes(), singleFile()],
+  plugins: [packedModules(), documentsWithin(import.meta.dirname), host(), meshes(), singleFile(import.meta.dirname)],
   // Chromium loads no modules from what a page of a file makes, but other scripts.
   worker: { format: 'iife', rolldownOptions: { output: { codeSplitting: false } } },
   build: {

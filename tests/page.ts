@@ -254,10 +254,26 @@ export class HeatwalkPage {
     return last;
   }
 
+  /** Adds rules to the page's style until the function that is given back is called; elements with rules are not allowed on the page. */
+  async style(rules: string): Promise<() => Promise<void>> {
+    const sheet = await this.page.evaluateHandle((text) => {
+      const made = new CSSStyleSheet();
+      made.replaceSync(text);
+      document.adoptedStyleSheets.push(made);
+      return made;
+    }, rules);
+    return () =>
+      sheet.evaluate((made) => {
+        document.adoptedStyleSheets = document.adoptedStyleSheets.filter((other) => other !== made);
+      });
+  }
+
   /** The same at once, whatever is under way. */
   async screen(): Promise<PNG> {
-    const style = '.stage ~ * { visibility: hidden !important }';
-    return PNG.sync.read(await this.page.screenshot({ style, scale: 'css' }));
+    const end = await this.style('.stage ~ * { visibility: hidden !important }');
+    const image = await this.page.screenshot({ scale: 'css' });
+    await end();
+    return PNG.sync.read(image);
   }
 }
 
@@ -265,6 +281,11 @@ export const test = base.extend<{ heatwalk: HeatwalkPage }>({
   heatwalk: async ({ page }, use, info) => {
     const errors: string[] = [];
     page.on('pageerror', (error) => errors.push(error.message));
+    await page.addInitScript(() => {
+      addEventListener('securitypolicyviolation', ({ violatedDirective, blockedURI, sourceFile, lineNumber }) =>
+        reportError(new Error(`Refused by policy: ${violatedDirective} ${blockedURI} ${sourceFile}:${lineNumber}`)),
+      );
+    });
     await use(new HeatwalkPage(page, info.project.name === 'webgpu' ? 'WebGPU' : 'WebGL2'));
     // A request that comes as the page closes has nobody left to answer to.
     await page.unrouteAll({ behavior: 'ignoreErrors' });

@@ -22,7 +22,7 @@ const browser = await chromium.launch({
   args: [...ALWAYS, ...WEBGL],
   ignoreDefaultArgs: ['--disable-gpu'],
 });
-const tab = await browser.newPage({ viewport: SIZE, reducedMotion: 'reduce', colorScheme: 'light' });
+const tab = await browser.newPage({ viewport: SIZE, reducedMotion: 'reduce', colorScheme: 'light', bypassCSP: true });
 await tab.goto(`${server.resolvedUrls.local[0]}?resolution=full&gpu=webgl#v=1&${SCENE}`);
 await tab.waitForFunction(() => 'heatwalk' in window);
 await tab.evaluate(async () => {

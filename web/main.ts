@@ -43,6 +43,9 @@ import { Stage } from './ui/stage/stage';
 import { followTheme } from './view/theme';
 import { View } from './view/view';
 import { t } from './texts';
+import { trustOwnScripts } from './trusted';
+
+trustOwnScripts();
 
 const page = document.body;
 const stage = h('main', {

@@ -178,7 +178,7 @@ test('the line ends below the heading', { tag: '@page' }, async ({ heatwalk, pag
   const line = page.locator('.compare');
   await expect(line).toBeVisible();
   // What lies under the heading is found where it can be clicked.
-  await page.addStyleTag({ content: '.compare { pointer-events: auto !important; }' });
+  await heatwalk.style('.compare { pointer-events: auto !important; }');
   for (const [width, height] of [
     [1100, 720],
     [390, 844],

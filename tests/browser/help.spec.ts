@@ -91,6 +91,7 @@ test('help tells what becomes of files, where the source is, and how a fault is 
   const link = (name: string) => dialog.getByRole('link', { name });
   await expect(link('The source, and its license')).toHaveAttribute('href', 'https://code.example/heatwalk');
   await expect(link('A new report')).toHaveAttribute('href', 'https://code.example/heatwalk/issues/new');
+  await expect(link('What the page is made of')).toHaveAttribute('href', './docs/licenses.html');
 
   // What is shown beside a link to the page.
   const image = await page.evaluate(async () => {

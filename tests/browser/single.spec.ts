@@ -8,6 +8,10 @@ test('the page in one file opens from a disk, where nothing else is', async ({ p
   copyFileSync(`${SINGLE}/heatwalk.html`, alone);
   const asked: string[] = [];
   page.on('request', (request) => asked.push(new URL(request.url()).protocol));
+  const refused: string[] = [];
+  page.context().on('console', (message) => {
+    if (message.text().includes('Content Security Policy')) refused.push(message.text());
+  });
   await page.goto(`${pathToFileURL(alone).href}?gpu=webgl`);
   // Its modules are unpacked first.
   await page.waitForFunction(() => 'heatwalk' in window);
@@ -28,4 +32,13 @@ test('the page in one file opens from a disk, where nothing else is', async ({ p
   await expect(page).toHaveURL(/alone\.html\?gpu=webgl#v=1&m=cave/);
   expect(asked.filter((protocol) => !['file:', 'data:', 'blob:'].includes(protocol))).toEqual([]);
   expect(asked.filter((protocol) => protocol === 'file:')).toHaveLength(1);
+  // Its policy lets all of that run, and nothing else.
+  expect(refused).toEqual([]);
+  const ran = await page.evaluate(() => {
+    const script = document.createElement('script');
+    script.append('window.ran = true');
+    document.body.append(script);
+    return 'ran' in window;
+  });
+  expect(ran).toBe(false);
 });

@@ -37,7 +37,9 @@ test('links between documents lead to headings that there are', () => {
 test('the documents on one page have each heading once, and every explanation and every link leads to one', () => {
   const html = onePage(FOLDER);
   const ids = [...html.matchAll(/ id="([^"]*)"/g)].map(([, id]) => id);
-  expect(ids).toHaveLength(pages.length + sections.length);
+  // One more is the list of licenses.
+  expect(ids).toHaveLength(pages.length + sections.length + 1);
+  expect(ids).toContain('licenses');
   expect(new Set(ids).size).toBe(ids.length);
   const links = [...html.matchAll(/href="([^":]*)"/g)].map(([, address]) => address);
   const wanted = [...links, ...seen.map((see) => `#${see.replace('#', '--')}`)];

@@ -5,6 +5,8 @@ import GithubSlugger from 'github-slugger';
 import MarkdownIt, { type Token } from 'markdown-it';
 import type { Plugin } from 'vite';
 import type { Section } from '../../web/docs/section.ts';
+import { licensesOf } from './licenses.ts';
+import { DOCUMENT_POLICY } from './policy.ts';
 
 /** In the order of the index; what is not named comes last. */
 const ORDER = [
@@ -100,7 +102,9 @@ function render(markdown: string) {
   const html = converter.renderer
     .render(tokens, converter.options, {})
     .replaceAll('<table>', '<div class="table"><table>')
-    .replaceAll('</table>', '</table></div>');
+    .replaceAll('</table>', '</table></div>')
+    // Styles of single elements are not allowed.
+    .replaceAll(/ style="text-align:(\w+)"/g, ' class="$1"');
   return { title: sections[0].heading, html, sections };
 }
 
@@ -115,7 +119,8 @@ function pageOf({ title, html }: Omit<Page, 'name'>, pages: Page[], here: string
   });
   return shell(
     `${escaped(title)} – Heatwalk`,
-    `<link rel="stylesheet" href="./${STYLE}">
+    `<meta http-equiv="Content-Security-Policy" content="${DOCUMENT_POLICY}">
+<link rel="stylesheet" href="./${STYLE}">
 <script type="module" src="${search}"></script>`,
     `<nav aria-label="Documents">
 <a class="home" href="../">Heatwalk</a>
@@ -158,6 +163,8 @@ function filesOf(folder: string, search: string): Map<string, string | Uint8Arra
   const index = { title: 'Documents', html: `<h1>Documents</h1>\n<ul>\n${overview}\n</ul>\n` };
   const files = new Map<string, string | Uint8Array>([['index.html', pageOf(index, pages, '', search)]]);
   for (const page of pages) files.set(`${page.name}.html`, pageOf(page, pages, page.name, search));
+  const licenses = { title: 'Licenses', html: licensesOf(join(folder, '..')) };
+  files.set('licenses.html', pageOf(licenses, pages, '', search));
   files.set(STYLE, styleOf(folder));
   files.set('sections.json', JSON.stringify(sections));
   for (const path of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
@@ -183,11 +190,11 @@ export function onePage(folder: string): string {
       .replaceAll(/<img[^>]*alt="([^"]*)"[^>]*>/g, '<em>$1</em>');
     return `<article id="${name}">\n${own}</article>`;
   });
+  articles.push(`<article id="licenses">\n${licensesOf(join(folder, '..'))}</article>`);
   const links = pages.map(({ name, title }) => `<li><a href="#${name}">${escaped(title)}</a></li>`);
   return shell(
     'Documents – Heatwalk',
-    `<style>
-${styleOf(folder)}</style>`,
+    `<style>${styleOf(folder)}</style>`,
     `<nav aria-label="Documents">
 <ul>
 ${links.join('\n')}
@@ -197,6 +204,11 @@ ${links.join('\n')}
 ${articles.join('\n')}
 </main>`,
   );
+}
+
+/** The style that is in that page. */
+export function styleWithin(root: string): string {
+  return styleOf(join(root, 'docs'));
 }
 
 const VIRTUAL = 'virtual:documents';

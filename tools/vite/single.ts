@@ -1,6 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import { gzipSync } from 'node:zlib';
 import type { Plugin } from 'vite';
+import { styleWithin } from './docs.ts';
+import { withPolicy } from './policy.ts';
 
 const MODULE = /\.wasm\?url$/;
 const REPLACED = /\/web\/(solver\/spawn|ui\/help\/documents)\.ts$/;
@@ -24,7 +26,7 @@ export function packedModules(): Plugin {
 }
 
 /** The page with its style, its script and its worker in one HTML file. Nothing is installed or kept from there. */
-export function singleFile(): Plugin {
+export function singleFile(root: string): Plugin {
   return {
     name: 'heatwalk-single-file',
     apply: 'build',
@@ -52,12 +54,14 @@ export function singleFile(): Plugin {
         const page = bundle['index.html'];
         if (page?.type !== 'asset') throw new Error('The build has no page.');
         let html = String(page.source);
+        const scripts: string[] = [];
+        // The documents are a page that this one makes, under its policy.
+        const styles = [styleWithin(root)];
         for (const file of Object.values(bundle)) {
           if (file === page) continue;
-          const inside =
-            file.type === 'chunk'
-              ? `<script type="module">${file.code.replaceAll('</script', '<\\/script')}</script>`
-              : `<style>${String(file.source)}</style>`;
+          const text = file.type === 'chunk' ? file.code.replaceAll('</script', '<\\/script') : String(file.source);
+          const inside = file.type === 'chunk' ? `<script type="module">${text}</script>` : `<style>${text}</style>`;
+          (file.type === 'chunk' ? scripts : styles).push(text);
           const tag = new RegExp(
             `<script[^>]*${escaped(file.fileName)}"[^>]*></script>|<link[^>]*${escaped(file.fileName)}"[^>]*>`,
           );
@@ -65,7 +69,7 @@ export function singleFile(): Plugin {
           html = html.replace(tag, () => inside);
           delete bundle[file.fileName];
         }
-        page.source = html;
+        page.source = withPolicy(html, scripts, styles);
         page.fileName = 'heatwalk.html';
       },
     },

@@ -8,6 +8,8 @@ export const HELP: Texts = {
   'Files that you open are kept in this browser only, to be opened again; so are your choices. The menu “Open” erases the files, and the browser all of it, with the data of this site.':
     'Les fichiers que vous ouvrez sont gardés dans ce navigateur seulement, pour être rouverts ; vos choix aussi. Le menu « Ouvrir » efface les fichiers, et le navigateur efface le tout avec les données de ce site.',
   'Report a fault': 'Signaler un défaut',
+  Licenses: 'Licences',
+  'What the page is made of, and under which licenses': 'De quoi la page est faite, et sous quelles licences',
   'Nothing is sent by itself. Save the scene, which holds your mesh, copy the report, which names it, look at both, and hand them over.':
     'Rien n’est envoyé tout seul. Enregistrez la scène, qui contient votre maillage, copiez le rapport, qui le nomme, regardez les deux, et transmettez-les.',
   Report: 'Rapport',

@@ -1,9 +1,10 @@
-/** What becomes of one's files, where the source is, and how a fault is reported: nothing is sent by the page itself. */
+/** What becomes of one's files, where the source is, how a fault is reported, and licenses: nothing is sent by the page itself. */
 import { sentenceOf } from '../../error';
 import type { Session } from '../../session/session';
 import { save } from '../../view/picture';
 import { copy } from '../clipboard';
 import { h, say } from '../dom';
+import { addressOf } from './documents';
 import { fileNameOf } from '../words';
 import { t } from '../../texts';
 
@@ -74,6 +75,16 @@ export function about(session: Session): HTMLElement[] {
             t('Whoever runs this page has not said where its source is, and who takes reports.'),
           ),
         ]),
+    h('h3', {}, t('Licenses')),
+    h(
+      'p',
+      {},
+      h(
+        'a',
+        { href: addressOf('licenses'), target: '_blank', rel: 'noopener' },
+        t('What the page is made of, and under which licenses'),
+      ),
+    ),
   ];
 }
 
