@@ -5,6 +5,7 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use glam::DVec3;
+use heatwalk_base::sort::sort;
 
 use crate::extremum::{larger, smaller};
 use crate::heat::point_source::PointSource;
@@ -12,12 +13,12 @@ use crate::heat::point_source::PointSource;
 /// What the bounds of distances on a mesh take.
 #[derive(Debug)]
 pub struct Bounds {
-    /// `#V + 1`, where the neighbors of each vertex begin.
+    /// The ends of each edge, and what it is long, times what a unit of length costs there.
+    edges: Vec<([u32; 2], f64)>,
+    /// `#V + 1`, where the edges of each vertex begin in `around`.
     start: Vec<u32>,
-    /// The other ends of its edges.
-    neighbors: Vec<u32>,
-    /// What each of these edges is long, times what a unit of length costs there.
-    lengths: Vec<f64>,
+    /// The numbers of these edges.
+    around: Vec<u32>,
     /// What a unit of length costs at least.
     least_cost: f64,
 }
@@ -40,15 +41,13 @@ impl Bounds {
             start[vertex] += start[vertex - 1];
         }
         let mut next = start.clone();
-        let (mut neighbors, mut lengths) = (vec![0; 2 * edges.len()], vec![0.0; 2 * edges.len()]);
-        for ([a, b], length) in edges {
-            for (end, other) in [(a, b), (b, a)] {
-                let place = &mut next[end as usize];
-                (neighbors[*place as usize], lengths[*place as usize]) = (other, length);
-                *place += 1;
-            }
+        let mut around = vec![0; 2 * edges.len()];
+        for (edge, end) in (0..).zip(&edges).flat_map(|(edge, &(ends, _))| ends.map(|end| (edge, end))) {
+            let place = &mut next[end as usize];
+            around[*place as usize] = edge;
+            *place += 1;
         }
-        Self { start, neighbors, lengths, least_cost }
+        Self { edges, start, around, least_cost }
     }
 
     /// Makes distances (`#V`) from some sources keep to straight lines and to the way along edges. What is infinite comes to be as far.
@@ -63,18 +62,19 @@ impl Bounds {
         let mut lowered = Vec::new();
         for sweep in 0..MOST_SWEEPS {
             lowered.clear();
-            let vertices = 0..values.len() as u32;
-            let lower = |vertex| self.lower(vertex, values, &mut lowered);
+            let lower = |edge| lower(edge, values, &mut lowered);
             if sweep % 2 == 0 {
-                vertices.for_each(lower);
+                self.edges.iter().for_each(lower);
             } else {
-                vertices.rev().for_each(lower);
+                self.edges.iter().rev().for_each(lower);
             }
             if FEW * lowered.len() < values.len() {
                 break;
             }
         }
         // An edge keeps the bound if neither of its ends was lowered in the last sweep.
+        sort(&mut lowered);
+        lowered.dedup();
         self.search(lowered, values);
     }
 
@@ -99,22 +99,26 @@ impl Bounds {
         }
     }
 
-    /// Lowers the distance of a vertex to the least of those of its neighbors and the edges between.
-    #[inline]
-    fn lower(&self, vertex: u32, values: &mut [f64], lowered: &mut Vec<u32>) {
-        let through = self.edges_of(vertex).map(|(end, length)| values[end as usize] + length);
-        let least = through.fold(f64::INFINITY, smaller);
-        if least < values[vertex as usize] {
-            values[vertex as usize] = least;
-            lowered.push(vertex);
-        }
-    }
-
     /// The other ends of a vertex's edges, and what these cost.
     #[inline]
     fn edges_of(&self, vertex: u32) -> impl Iterator<Item = (u32, f64)> {
         let range = self.start[vertex as usize] as usize..self.start[vertex as usize + 1] as usize;
-        self.neighbors[range.clone()].iter().copied().zip(self.lengths[range].iter().copied())
+        self.around[range].iter().map(move |&edge| {
+            let ([a, b], length) = self.edges[edge as usize];
+            (a ^ b ^ vertex, length)
+        })
+    }
+}
+
+/// Lowers the distance at the farther end of an edge to that at the other one and the edge, and tells which end it was.
+#[inline]
+fn lower(&([a, b], length): &([u32; 2], f64), values: &mut [f64], lowered: &mut Vec<u32>) {
+    let (at_a, at_b) = (values[a as usize], values[b as usize]);
+    // Which end is farther is as good as random, so that it is asked for only where it matters.
+    if (at_a - at_b).abs() > length {
+        let (far, near) = if at_a > at_b { (a, at_b) } else { (b, at_a) };
+        values[far as usize] = near + length;
+        lowered.push(far);
     }
 }
 

@@ -15,6 +15,7 @@ use std::f64::consts::PI;
 use glam::DVec3;
 use heatwalk::heat::WarmestFirst;
 use heatwalk::operator::Laplacian;
+use heatwalk_base::logarithm::ln;
 
 use crate::march::Medium;
 use crate::mesh::{FACES, TetId, TetMesh};
@@ -81,7 +82,7 @@ impl Logarithm {
     /// As [`HeatDiscretization::along_logarithm`](heatwalk::heat::HeatDiscretization::along_logarithm).
     pub(super) fn distances(&self, laplacian: &Laplacian, heat: &[f64], time: f64, known: Vec<f64>) -> Vec<f64> {
         // Stiffness of obtuse tetrahedra may let heat fall below 0, where its size still is that of the heat around.
-        let logarithms: Vec<f64> = heat.iter().map(|heat| heat.abs().max(f64::MIN_POSITIVE).ln()).collect();
+        let logarithms: Vec<f64> = heat.iter().map(|heat| ln(heat.abs().max(f64::MIN_POSITIVE))).collect();
         let nodes = self.nodes(laplacian, &logarithms, time);
         let unknown = (0..).zip(&known).filter(|(_, distance)| distance.is_infinite());
         let order = WarmestFirst::new(&logarithms, unknown.map(|(vertex, _)| vertex));

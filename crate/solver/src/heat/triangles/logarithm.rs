@@ -10,6 +10,8 @@
 
 use std::sync::Arc;
 
+use heatwalk_base::logarithm::ln;
+
 use crate::extremum::{larger, smaller};
 use crate::heat::bounds::Bounds;
 use crate::heat::time::long_edge_factor;
@@ -95,7 +97,7 @@ impl Logarithm {
     /// Distances (`#V`) along the field of `heat` (`#V`) that has flowed for this time, in the unit of the lengths, squared. Those below
     /// infinity in `known` (`#V`) stay; infinite where heat tells nothing.
     pub(super) fn distances(&self, operators: &Operators, heat: &[f64], time: f64, known: Vec<f64>) -> Vec<f64> {
-        let logarithms: Vec<f64> = heat.iter().map(|&heat| larger(heat, f64::MIN_POSITIVE).ln()).collect();
+        let logarithms: Vec<f64> = heat.iter().map(|&heat| ln(larger(heat, f64::MIN_POSITIVE))).collect();
         let rates = self.rates(operators, &logarithms, MOST_RATE * time.sqrt() / self.unit);
         let laplacian = operators.laplacian();
         let mut inflows = self.upwind.inflows();
