@@ -28,6 +28,8 @@ const EXPECTED = {
   start: [2, 2, 0, 2, 1, 0],
   matrices: 32,
   lost: 'no-such-agent',
+  stayed: ['AbortError', true],
+  packed: [1, 1, 'malformed', 'over-budget'],
 };
 
 const folder = installed();

@@ -1,8 +1,9 @@
 //! Agents on a mesh.
 
 use glam::{DMat4, DVec3};
+use heatwalk::FaceId;
 use heatwalk_bindings::{Failure, Message, Result, reporter};
-use heatwalk_scene::Obstacle;
+use heatwalk_scene::{Agent, Obstacle};
 use js_sys::{Function, Object};
 use wasm_bindgen::prelude::*;
 
@@ -13,6 +14,8 @@ use crate::vectors::require_one_each;
 
 /// Numbers of an obstacle: its center, its velocity, its radius.
 const PER_OBSTACLE: usize = 7;
+/// Numbers of the state of an agent.
+const PER_STATE: usize = 20;
 
 /// Agents that go down one distance and make way for each other.
 #[wasm_bindgen]
@@ -125,6 +128,43 @@ impl Agents {
             }
         }
         Ok(AgentPoses { positions, orientations, matrices, velocities, arrived })
+    }
+}
+
+#[wasm_bindgen]
+impl Agents {
+    /// All that is of them, for [`Self::restore`].
+    pub fn state(&self) -> Vec<f64> {
+        self.0.agents().iter().flat_map(written).collect()
+    }
+
+    /// Has the agents of a state, which was taken on the same surface, instead of its own.
+    pub fn restore(&mut self, state: &[f64]) -> Result<()> {
+        Ok(self.0.restore(state.as_chunks().0.iter().map(read).collect())?)
+    }
+}
+
+fn written(agent: &Agent) -> [f64; PER_STATE] {
+    let Agent { face, weights: [a, b, c], position, velocity, upright, heading, radius, speed, left, has_arrived } =
+        *agent;
+    let [[x, y, z], [u, v, w], [i, j, k], [l, m, n]] = [position, velocity, upright, heading].map(<[f64; 3]>::from);
+    let has_arrived = f64::from(u8::from(has_arrived));
+    [f64::from(face.0), a, b, c, x, y, z, u, v, w, i, j, k, l, m, n, radius, speed, left, has_arrived]
+}
+
+fn read(state: &[f64; PER_STATE]) -> Agent {
+    let [face, a, b, c, x, y, z, u, v, w, i, j, k, l, m, n, radius, speed, left, has_arrived] = *state;
+    Agent {
+        face: FaceId(face as u32),
+        weights: [a, b, c],
+        position: DVec3::new(x, y, z),
+        velocity: DVec3::new(u, v, w),
+        upright: DVec3::new(i, j, k),
+        heading: DVec3::new(l, m, n),
+        radius,
+        speed,
+        left,
+        has_arrived: has_arrived != 0.0,
     }
 }
 

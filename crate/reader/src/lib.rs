@@ -26,6 +26,12 @@ impl ReadMesh {
         let budget = &Budget::of_file(bytes.len());
         let resource = resources(resource);
         let within = |uri: &str| budget.admit(resource(uri)?).ok();
+        #[cfg(feature = "unpack")]
+        let file = io::Unpacked::of(budget, name, bytes, io::names_mesh)?;
+        #[cfg(feature = "unpack")]
+        let (name, bytes) = (file.name(), file.bytes());
+        #[cfg(feature = "unpack")]
+        let within = |uri: &str| if file.is_of_archive() { file.resource(uri) } else { within(uri) };
         let mut model = heatwalk_cloud::read_within(budget, name, bytes, &within)?;
         let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
         let is_cloud = heatwalk_cloud::join(stem, &mut model, NonZeroUsize::MIN)?.is_some();

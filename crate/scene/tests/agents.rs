@@ -221,3 +221,26 @@ fn bad_numbers_are_refused() {
     let other = Arc::new(crate::common::surface(&square(2)));
     assert!(matches!(agents.follow(&distance(&other, VertexId(0)), None), Err(Error::Surface(_))));
 }
+
+#[test]
+fn agents_go_on_elsewhere_as_they_would_have() {
+    let surface = Arc::new(surface(&square(20)));
+    let source = nearest(&surface, DVec3::ZERO);
+    let mut agents = agents_to(&surface, source);
+    for k in 0..20 {
+        agents.add(&at(&surface, 0.3 + 0.02 * f64::from(k), 0.4), 0.02, 0.2).unwrap();
+    }
+    let walk = |agents: &mut Agents| (0..90).for_each(|_| agents.update(FRAME).unwrap());
+    walk(&mut agents);
+    let mut others = agents_to(&surface, source);
+    others.restore(agents.agents().to_vec()).unwrap();
+    assert_eq!(others.agents(), agents.agents());
+    walk(&mut agents);
+    walk(&mut others);
+    assert_eq!(others.agents(), agents.agents());
+    assert!(agents.agents().iter().any(|agent| agent.has_arrived));
+
+    let mut few = Agents::new(Surface::build(&square(2)).unwrap());
+    let refused = few.restore(agents.agents().to_vec()).unwrap_err();
+    assert_eq!(refused.to_string(), "the agent belongs to another surface; make it on this one");
+}

@@ -120,8 +120,17 @@ const NPM: Module = Module {
 };
 
 /// The modules of the npm package.
-pub const PACKAGE: [&Module; 2] =
-    [&NPM, &Module { name: "package-reader", package: READER.package, file: READER.file, is_restartable: true, ..NPM }];
+pub const PACKAGE: [&Module; 2] = [
+    &NPM,
+    &Module {
+        name: "package-reader",
+        package: READER.package,
+        features: &["heatwalk-reader/unpack"],
+        file: READER.file,
+        is_restartable: true,
+        ..NPM
+    },
+];
 
 /// Modules that are compiled at once, so that what they share is compiled once; the one that the page begins with first.
 const TOGETHER: [&Module; 5] = [&SOLVER, &READER, &MAKER, &WRITER, &BASIS];

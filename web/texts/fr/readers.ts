@@ -162,7 +162,11 @@ export const READERS: Texts = {
   'save each by itself': 'enregistrez chacune à part',
   'it does not begin as a surface of FreeSurfer does; save it again, in binary form':
     'il ne commence pas comme une surface de FreeSurfer ; enregistrez-le de nouveau, sous forme binaire',
-  // 3MF.
+  // Archives, and 3MF.
+  'it holds no mesh of a format known here; unpack it and see what it holds':
+    'elle ne contient aucun maillage d’un format connu ici ; décompressez-la et regardez ce qu’elle contient',
+  'it holds {0} meshes ({1}{2}); unpack it and name one':
+    'elle contient {0} maillages ({1}{2}) ; décompressez-la et nommez-en un',
   'it is damaged or cut short; copy it again': 'les données sont endommagées ou tronquées ; copiez-les de nouveau',
   'it holds more than {0} files; save it again': 'elle contient plus de {0} fichiers ; enregistrez-la de nouveau',
   'two files of the archive have this name; pack it again':

@@ -2,7 +2,7 @@
 //!
 //! Each format that can be read is a cargo feature: `3mf`, `freesurfer`, `gifti`, `gltf`, `obj`, `off`, `ply`, `stl`, `vtk`, all on by
 //! default. `3mf` brings
-//! archives along (`zip`).
+//! archives along (`zip`). `unpack` reads meshes that are packed, too.
 
 #![cfg_attr(
     not(all(
@@ -59,6 +59,8 @@ pub mod text;
 mod threemf;
 #[cfg(any(feature = "obj", feature = "off", feature = "ply", feature = "vtk"))]
 pub mod triangulate;
+#[cfg(feature = "unpack")]
+mod unpack;
 #[cfg(feature = "vtk")]
 pub mod vtk;
 pub mod write;
@@ -76,6 +78,8 @@ pub use archive::{Archive, MAGIC as ARCHIVE_MAGIC};
 pub use budget::{Budget, Loan};
 pub use empty::expect_mesh;
 pub use reader::Resources;
+#[cfg(feature = "unpack")]
+pub use unpack::{Unpacked, has_extension, without_gz};
 
 /// All formats, in the order in which bytes are asked whose they are.
 const FORMATS: &[Format] = &[

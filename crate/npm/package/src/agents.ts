@@ -34,7 +34,7 @@ type Each = number | ArrayLike<number>;
 
 /**
  * Agents that walk on a mesh to the nearest source, and make way for each other and for obstacles. They never leave the surface nor cross a wall.
- * They are gone where the worker of the mesh ends: by `dispose`, and where a question to it is aborted under way.
+ * A question that is aborted leaves them as they were before it.
  */
 export class Agents {
   readonly #connection: Connection;

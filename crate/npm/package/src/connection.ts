@@ -1,5 +1,5 @@
 import { HeatwalkError } from './errors.ts';
-import type { Opening, Question, Told } from './messages.ts';
+import { KEEP_AGENTS, type KeptAgents, type Opening, type Question, type Told } from './messages.ts';
 import type { QueryOptions } from './options.ts';
 import { modules } from './parts.ts';
 import { type Port, spawn } from './spawn.ts';
@@ -9,12 +9,15 @@ interface Job {
   args: unknown[];
   agents: number | undefined;
   progress: QueryOptions['progress'];
+  /** Whether it may end the worker other than by a failure of the agents themselves. */
+  mayEnd: boolean;
   settle(error: unknown, value?: unknown): void;
 }
 
 /**
  * A mesh in a worker of its own, whose memory is given back with it. Questions are answered in turn. The worker is ended where one is aborted
- * or where it fails; the next question makes another, with the same mesh.
+ * or where it fails; the next question makes another, with the same mesh and
+ * the same agents.
  */
 export class Connection {
   readonly #opening: Opening;
@@ -22,6 +25,9 @@ export class Connection {
   #running: Job | undefined;
   #port: Port | undefined;
   #last = 0;
+  #agents: readonly KeptAgents[] = [];
+  /** Whether those of the worker are as they were kept. */
+  #areAgentsKept = true;
   #isDisposed = false;
 
   constructor(opening: Opening) {
@@ -42,6 +48,7 @@ export class Connection {
         args,
         agents,
         progress,
+        mayEnd: agents === undefined || signal !== undefined,
         settle: (error, value) => {
           signal?.removeEventListener('abort', abort);
           if (error === undefined) resolve(value);
@@ -65,13 +72,14 @@ export class Connection {
 
   async #next() {
     if (this.#running) return;
-    const job = (this.#running = this.#waiting.shift());
+    const isAtRisk = !this.#areAgentsKept && this.#waiting[0]?.mayEnd;
+    const job = (this.#running = isAtRisk ? this.#keeping() : this.#waiting.shift());
     if (!job) return;
     const id = ++this.#last;
     const question: Question = { id, method: job.method, args: job.args, agents: job.agents };
     try {
       if (!this.#port) {
-        question.opening = { modules: await modules('bytes' in this.#opening), mesh: this.#opening };
+        question.opening = { modules: await modules('bytes' in this.#opening), mesh: this.#opening, agents: this.#agents };
         // It may have been aborted meanwhile.
         if (this.#running !== job) return;
         const port = await spawn(
@@ -104,8 +112,18 @@ export class Connection {
   #finish(error: unknown, value?: unknown) {
     const job = this.#running;
     this.#running = undefined;
+    if (job?.agents !== undefined && this.#port) this.#areAgentsKept = false;
     job?.settle(error, value);
     void this.#next();
+  }
+
+  /** What keeps the agents on this side, before what may end the worker. */
+  #keeping(): Job {
+    const settle = (_error: unknown, agents: unknown) => {
+      this.#agents = (agents ?? []) as KeptAgents[];
+      this.#areAgentsKept = true;
+    };
+    return { method: KEEP_AGENTS, args: [], agents: undefined, progress: undefined, mayEnd: false, settle };
   }
 
   #drop(job: Job) {
@@ -122,6 +140,9 @@ export class Connection {
   #end() {
     this.#port?.terminate();
     this.#port = undefined;
+    // What came after they were kept is lost, and so are they.
+    if (!this.#areAgentsKept) this.#agents = [];
+    this.#areAgentsKept = true;
   }
 }
 

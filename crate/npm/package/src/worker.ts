@@ -1,9 +1,12 @@
 import { type Agents, initSync, Mesh } from '../../../../web/wasm/package/heatwalk_npm.js';
 import * as reader from '../../../../web/wasm/package-reader/heatwalk_reader.js';
-import type { Question, Told } from './messages.ts';
+import { KEEP_AGENTS, type KeptAgents, type Question, type Told } from './messages.ts';
 import { builtin } from './spawn.ts';
 
 type Method = (...args: unknown[]) => unknown;
+
+/** Agents, and what they were last told, which is told to those of the next worker; of one before, not made yet. */
+type Group = { agents: Agents; told: KeptAgents['told'] } | KeptAgents;
 
 interface NodePort {
   on(event: 'message', hear: (question: Question) => void): void;
@@ -12,7 +15,8 @@ interface NodePort {
 
 let mesh: Mesh | undefined;
 let isSingle = false;
-const groups = new Map<number, Agents>();
+/** Groups of agents by their numbers. */
+const groups = new Map<number, Group>();
 const tell = connected();
 
 /** Hears questions from now on; gives what tells answers. */
@@ -33,8 +37,11 @@ function answer(question: Question) {
     if (opening) {
       mesh = opened(opening);
       isSingle = opening.mesh.isSingle;
+      for (const kept of opening.agents) groups.set(kept.number, kept);
     }
     if (!mesh) throw new Error('a question came before the mesh');
+    // Nothing of it is transferred, for it stays here too.
+    if (question.method === KEEP_AGENTS) return tell({ id, value: keptAgents() });
     const value = answered(mesh, question, progress);
     const told = isSingle ? single(value) : value;
     tell({ id, value: told }, buffers(told));
@@ -65,18 +72,42 @@ function answered(of: Mesh, { method, args, agents }: Question, progress: Tell):
 
 /** Of agents: what the mesh has to do with it is a method of the mesh, and all else one of theirs. */
 function answeredBy(number: number, of: Mesh, method: string, args: unknown[], progress: Tell): unknown {
-  if (method === 'begin') return void groups.set(number, of.agents());
-  const agents = groups.get(number);
-  if (!agents) {
-    // A worker that came after knows nothing of them.
+  if (method === 'begin') return void groups.set(number, { agents: of.agents(), told: {} });
+  if (method === 'end') return end(number);
+  const { agents, told } = present(number, of, progress);
+  const given = method in agents ? called(agents, method, args) : called(of, method, [agents, ...args, progress]);
+  if (method === 'lead_agents' || method === 'set_obstacles') told[method] = args;
+  return given;
+}
+
+/** A group; one of a worker before is made as it was. */
+function present(number: number, of: Mesh, progress: Tell) {
+  const group = groups.get(number);
+  if (!group) {
     throw Object.assign(new Error('the agents are gone with the worker; make others'), { name: 'no-agents' });
   }
-  if (method === 'end') {
-    groups.delete(number);
-    return agents.free();
-  }
-  return method in agents ? called(agents, method, args) : called(of, method, [agents, ...args, progress]);
+  if ('agents' in group) return group;
+  const { state, told } = group;
+  const agents = of.agents();
+  if (told.lead_agents) called(of, 'lead_agents', [agents, ...told.lead_agents, progress]);
+  if (told.set_obstacles) called(agents, 'set_obstacles', told.set_obstacles);
+  agents.restore(state);
+  const made = { agents, told };
+  groups.set(number, made);
+  return made;
 }
+
+function end(number: number) {
+  const group = groups.get(number);
+  groups.delete(number);
+  if (group && 'agents' in group) group.agents.free();
+}
+
+/** All groups as they are, for the next worker. */
+const keptAgents = (): KeptAgents[] =>
+  Array.from(groups, ([number, group]) =>
+    'agents' in group ? { number, state: group.agents.state(), told: group.told } : group,
+  );
 
 const called = (of: object, method: string, args: unknown[]) => (of as Record<string, Method>)[method]?.(...args);
 

@@ -7,6 +7,7 @@
 //! radii should be small against bends of the surface.
 
 mod grid;
+mod meeting;
 mod slide;
 
 use std::sync::Arc;
@@ -17,20 +18,13 @@ use heatwalk::{Costs, Distance, Error, FaceId, Result, Surface, SurfacePoint};
 use crate::flow::{Flow, Place};
 use crate::footing::{Footing, turned};
 use grid::{Grid, Lies};
+use meeting::{Other, met};
 use slide::slid;
 
-/// Strength of the force between agents, for lengths in radii and seconds.
-const STRENGTH: f64 = 20.0;
-/// τ₀, seconds after which a meeting counts little.
-const FORESIGHT: f64 = 2.0;
 /// Seconds in which an agent comes to its speed.
 const REACTION: f64 = 0.4;
 /// An agent accelerates by no more than so many times its speed in a second.
 const AGILITY: f64 = 8.0;
-/// How far to its left an agent takes others to be, in radii of both: of two that would meet head on neither would turn, else.
-const LEFT: f64 = 0.1;
-/// Radians between the directions in which agents at one place come apart: never those of two others.
-const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 /// Two touch that are so many times as far apart as their radii are long, and go on to do so up to the second of these.
 const TOUCH: [f64; 2] = [1.25, 2.0];
 /// How far agents look, in radii of the largest beside their own way.
@@ -135,15 +129,6 @@ impl Lies for Obstacle {
     }
 }
 
-/// What an agent would meet.
-struct Other {
-    position: DVec3,
-    velocity: DVec3,
-    radius: f64,
-    /// Of an overlap, what is the agent's to give way.
-    share: f64,
-}
-
 impl Agents {
     /// Without any yet.
     #[must_use]
@@ -220,6 +205,18 @@ impl Agents {
     pub fn retain(&mut self, mut is_wanted: impl FnMut(usize) -> bool) {
         let mut number = 0..;
         self.agents.retain(|_| number.next().is_some_and(&mut is_wanted));
+    }
+
+    /// Has agents instead of its own that [`agents`](Self::agents) has told of others on the same surface.
+    ///
+    /// # Errors
+    /// [`Error::Surface`] with `ForeignSurface` where one stands on a face that the surface does not have.
+    pub fn restore(&mut self, agents: Vec<Agent>) -> Result<()> {
+        if agents.iter().any(|agent| agent.face.0 as usize >= self.surface.face_count()) {
+            return Err(heatwalk::surface::Error::ForeignSurface { thing: "agent" }.into());
+        }
+        self.agents = agents;
+        Ok(())
     }
 
     /// Sends them down a distance, from where they are, slower where a unit of length costs more.
@@ -351,36 +348,4 @@ impl Agents {
         let face = place.faces(&self.surface)[0];
         (face, place.weights_in(&self.surface, face))
     }
-}
-
-/// The acceleration of an agent, which has this number, by another, and how far it moves out of it.
-fn met(agent: &Agent, number: usize, other: &Other) -> (DVec3, DVec3) {
-    let laid = |vector: DVec3| vector - agent.upright * agent.upright.dot(vector);
-    let away = other.position - agent.position;
-    let reach = agent.radius + other.radius;
-    let ahead = laid(away);
-    let distance_squared = ahead.length_squared();
-    // Above or below by more than both are wide.
-    if away.length_squared() - distance_squared > reach * reach {
-        return (DVec3::ZERO, DVec3::ZERO);
-    }
-    if distance_squared < reach * reach {
-        let distance = distance_squared.sqrt();
-        let at_one_place = || DQuat::from_axis_angle(agent.upright, GOLDEN_ANGLE * number as f64) * agent.heading;
-        let direction = ahead.try_normalize().unwrap_or_else(at_one_place);
-        return (DVec3::ZERO, -direction * (other.share * (reach - distance)));
-    }
-    let toward = laid(agent.velocity - other.velocity);
-    let ahead = ahead + LEFT * reach * agent.upright.cross(agent.heading);
-    let [a, b, c] = [toward.length_squared(), ahead.dot(toward), ahead.length_squared() - reach * reach];
-    let discriminant = b * b - a * c;
-    if b <= 0.0 || discriminant <= 0.0 {
-        return (DVec3::ZERO, DVec3::ZERO);
-    }
-    let root = discriminant.sqrt();
-    let time = (b - root) / a;
-    // The gradient of the energy by the position, in radii for lengths.
-    let strength = STRENGTH * agent.radius * agent.radius * (-time / FORESIGHT).exp() / (a * time * time);
-    let gradient = toward - (b * toward - a * ahead) / root;
-    (-strength * (2.0 / time + 1.0 / FORESIGHT) * gradient, DVec3::ZERO)
 }
