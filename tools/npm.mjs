@@ -25,8 +25,8 @@ export async function packPackage(isPublished = false) {
   await bundle('text', { WORKER });
   await bundle('index');
   await bundle('inline');
-  const types = ['--project', join(source, 'tsconfig.json'), '--outDir', join(folder, 'dist')];
-  npmProgram("Writing the npm package's types", 'typescript/bin/tsc', types, named);
+  await bundle('viewer');
+  writeTypes();
   for (const name of ['README.md', 'package.json']) cpSync(join(source, name), join(folder, name));
   for (const name of ['LICENSE-MIT', 'LICENSE-APACHE']) cpSync(join(root, name), join(folder, name));
   const { version } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
@@ -38,6 +38,19 @@ export async function packPackage(isPublished = false) {
   });
   if (status !== 0) fail(`npm could not pack the package: ${stderr}`);
   return join(made, JSON.parse(stdout)[0].filename);
+}
+
+/** The types of the package, and beside them those of the page's messages, which lie elsewhere here. */
+function writeTypes() {
+  const types = join(made, 'types');
+  const options = ['--project', join(source, 'tsconfig.json'), '--outDir', types];
+  npmProgram("Writing the npm package's types", 'typescript/bin/tsc', options, named);
+  const own = join(types, 'crate', 'npm', 'package', 'src');
+  const dist = join(folder, 'dist');
+  cpSync(own, dist, { recursive: true });
+  cpSync(join(types, 'web', 'embed.d.ts'), join(dist, 'embed.d.ts'));
+  const viewer = readFileSync(join(own, 'viewer.d.ts'), 'utf8');
+  writeFileSync(join(dist, 'viewer.d.ts'), viewer.replaceAll('../../../../web/embed', './embed'));
 }
 
 /** A wasm module, deflated, in base64, as text of JavaScript. */

@@ -108,7 +108,11 @@ export type Method = keyof Methods;
 export interface Events {
   /** The first scene is solved and drawn. */
   ready: State;
+  /** A mesh is being opened: the name of what is done, and how much of it, 0 to 1; null where that is not known. */
+  loading: { stage: string; fraction: number | null };
   opened: MeshFigures;
+  /** Single sources or the walker are others now, by whomever; told during a drag, too. */
+  placed: { sources: readonly Source[]; walker: Place | null };
   /** A field is shown: after each change, and once more when it is exact. */
   solved: FieldFigures;
   /** The user clicked or tapped the surface. `distance` is NaN before the first field. */
@@ -232,9 +236,11 @@ export class EmbeddedHeatwalk extends EventTarget {
     return origin === 'null' || this.#frame.sandbox.length > 0 ? '*' : origin;
   }
 
-  #received({ source, data }: MessageEvent): void {
+  #received({ source, origin, data }: MessageEvent): void {
     const message = data as Message | null;
     if (source !== this.#frame.contentWindow || message?.heatwalk !== VERSION) return;
+    // The frame may have been led to a page of somebody else.
+    if (this.#origin !== '*' && origin !== this.#origin) return;
     if ('event' in message) {
       // A page that is loaded anew knows nothing of what was asked.
       if (message.event === 'listening') this.#post({ heatwalk: VERSION, id: 0, method: 'hello' });

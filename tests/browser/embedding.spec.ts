@@ -26,7 +26,7 @@ const hostPage = (count: number) => `<!doctype html><title>Host</title><body><sc
     element.height = 300;
     document.body.append(element);
     const heatwalk = new EmbeddedHeatwalk(element);
-    for (const event of ['ready', 'opened', 'solved', 'picked', 'error'])
+    for (const event of ['ready', 'loading', 'opened', 'placed', 'solved', 'picked', 'error'])
       heatwalk.on(event, (detail) => window.told.push({ frame, event, detail }));
     return heatwalk;
   });
@@ -104,6 +104,12 @@ test('two frames in a page of another origin are told apart, asked and heard', a
   if (!box) throw new Error('the frame is not in view');
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   await expect.poll(async () => (await told('picked')).map(({ frame }) => frame)).toEqual([0]);
+  expect(await told('loading')).toContainEqual(expect.objectContaining({ frame: 1, event: 'loading' }));
+  expect(await told('placed')).toContainEqual({
+    frame: 0,
+    event: 'placed',
+    detail: { sources: answers.state.sources, walker: { vertex: 100 } },
+  });
   expect(
     (await told('opened')).some(({ frame, detail }) => frame === 1 && JSON.stringify(detail).includes('torus')),
   ).toBe(true);

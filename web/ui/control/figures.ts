@@ -27,15 +27,20 @@ export function fieldFigures({ maxDistance, unreachableVertices, exactShare }: D
   return { maxDistance, unreachableVertices, exactShare };
 }
 
+export function placesOf({ sources, walker }: SceneState): Pick<State, 'sources' | 'walker'> {
+  return {
+    sources: structuredClone(sources) as State['sources'],
+    walker: (structuredClone(walker) ?? null) as State['walker'],
+  };
+}
+
 export function stateOf({ scene, shown: { value: shown } }: Session, api: Heatwalk, link: string): State {
-  const { sources, walker } = scene.state;
   const field = shown?.answer.field;
   return {
     mesh: shown && meshFigures(shown, scene.state),
     field: field ? fieldFigures(field) : null,
     refining: api.refining,
-    sources: structuredClone(sources) as State['sources'],
-    walker: structuredClone(walker) as State['walker'],
+    ...placesOf(scene.state),
     link,
     backend: api.backend,
   };

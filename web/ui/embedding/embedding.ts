@@ -3,7 +3,7 @@ import type { Events, Message, Method, Methods, Request } from '../../embed';
 import { messageOf } from '../../error';
 import type { Session } from '../../session/session';
 import { Actions, type ActionsOptions } from '../control/actions';
-import { fieldFigures, meshFigures } from '../control/figures';
+import { fieldFigures, meshFigures, placesOf } from '../control/figures';
 import type { Heatwalk } from '../scripting';
 import { addressed, parseRequest, VERSION } from './requests';
 
@@ -70,6 +70,12 @@ class Embedding {
       const { field } = shown.answer;
       const isAnew = field !== previous?.answer.field && (field?.refineMs === 0 || field?.exactShare === 1);
       if (field && isAnew) this.#tell('solved', fieldFigures(field));
+    });
+    session.loading.watch((loading) => {
+      if (loading) this.#tell('loading', { stage: loading.stage, fraction: loading.fraction });
+    });
+    session.scene.subscribe((state, previous) => {
+      if (state.sources !== previous.sources || state.walker !== previous.walker) this.#tell('placed', placesOf(state));
     });
     session.failure.watch((failure) => {
       if (failure) this.#tell('error', { message: String(messageOf(failure)) });
