@@ -3,6 +3,7 @@
 
 mod connection;
 pub(crate) mod elements;
+mod flips;
 mod frames;
 pub mod intrinsic;
 pub mod laplacian;
@@ -11,6 +12,7 @@ mod relocate;
 mod waiting;
 
 pub use connection::ConnectionLaplacian;
+pub use flips::Flips;
 pub use frames::{Frames, TangentPlane};
 pub use laplacian::{Discretization, Laplacian};
 pub use metric::Operators;
