@@ -343,6 +343,12 @@ fn offer(own: Patch, thread: u32, is_any: bool, to: u32, offered: Window, bar: B
     workgroupBarrier();
 }
 
+// Whether a window reaches the middle of a stretch sooner than the ends of its half-edge do.
+fn is_nearer(window: Window, bar: Bar, stretch: u32) -> bool {
+    let at = middle(stretch, bar.length);
+    return bent_at(window, at) < by_ends(bar, at);
+}
+
 // Lets the first windows of the ring cross their faces, two threads each: one for each edge that they may leave by.
 fn cross_some(own: Patch, thread: u32, count: u32) {
     let number = thread >> 1u;
@@ -376,10 +382,11 @@ fn cross_some(own: Patch, thread: u32, count: u32) {
     let base = face.lengths[k];
     let corners = vec3(corner(face, k), corner(face, (k + 1u) % 3u), corner(face, (k + 2u) % 3u));
     let ends = vec3(near_to(corners.x), near_to(corners.y), near_to(corners.z));
-    let at = middle(slot & 1u, base);
     let window = unpack(label, base);
     // The ends may have become nearer since.
-    is_crossing = is_crossing && bent_at(window, at) < by_ends(Bar(base, ends.xy), at);
+    let bar_before = Bar(base, ends.xy);
+    let is_near = is_nearer(window, bar_before, slot & 1u) || (is_double && is_nearer(window, bar_before, ~slot & 1u));
+    is_crossing = is_crossing && is_near;
     // Seen from the end that the thread is for.
     let side_k = select((k + 2u) % 3u, (k + 1u) % 3u, to_end);
     let angle_k = select(k, (k + 1u) % 3u, to_end);
