@@ -29,6 +29,9 @@ pub enum Error {
         /// Of what.
         unit: &'static str,
     },
+    /// Distances of no vertex were asked for.
+    #[error("no vertex to write distances of; choose one at least")]
+    NoVertex,
     /// No source was given.
     #[error("no source; choose one vertex at least")]
     NoSource,

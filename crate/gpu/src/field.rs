@@ -58,13 +58,12 @@ pub struct DistanceField {
     distances: wgpu::Buffer,
     control: wgpu::Buffer,
     output: wgpu::Buffer,
-    /// Where counts and values come back.
-    read_control: wgpu::Buffer,
     clear: wgpu::BindGroup,
     advance: wgpu::BindGroup,
     gather: wgpu::BindGroup,
-    /// Rounds to encode at once.
+    /// Rounds to encode at once, and rounds that an answer may take.
     expected: u32,
+    most: u32,
 }
 
 impl DistanceField {
@@ -75,7 +74,7 @@ impl DistanceField {
     ///
     /// # Errors
     /// [`Error::TooLarge`] for buffers beyond the device's limits; [`Error::Device`] where it has no compute shaders or too little
-    /// memory; [`Error::Source`] where `order` names a vertex that is not on the surface.
+    /// memory; [`Error::NoVertex`]; [`Error::Source`] where `order` names a vertex that is not on the surface.
     pub async fn new(
         device: &wgpu::Device,
         queue: &wgpu::Queue,
@@ -83,6 +82,9 @@ impl DistanceField {
         order: impl IntoIterator<Item = VertexId>,
     ) -> Result<Self> {
         let order: Vec<u32> = order.into_iter().map(|vertex| vertex.0).collect();
+        if order.is_empty() {
+            return Err(Error::NoVertex);
+        }
         let vertices = layout.surface().vertex_count();
         if let Some(&vertex) = order.iter().find(|&&vertex| vertex as usize >= vertices) {
             return Err(heatwalk::surface::Error::NoSuchVertex { vertex: vertex as usize, vertices }.into());
@@ -105,6 +107,7 @@ impl DistanceField {
         sizes: &Sizes,
     ) -> Self {
         let pipelines = Pipelines::new(device, layout.capacity);
+        let most = ROUNDS_OF_ANY.saturating_add(ROUNDS_OF_PATCH.saturating_mul(layout.patches.len() as u32));
         let filled = |label, contents: &[u8], usage| {
             device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
         };
@@ -123,8 +126,6 @@ impl DistanceField {
         let order = filled("order of vertices", bytemuck::cast_slice(order), storage);
         let usage = storage | wgpu::BufferUsages::COPY_SRC | wgpu::BufferUsages::VERTEX;
         let output = empty("distances in order", sizes.output, usage);
-        let mapped = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
-        let read_control = empty("control to read", 4 * CONTROL_WORDS as u64, mapped);
         let unit = [layout.mean_edge as f32, 0.0, 0.0, 0.0];
         let unit = filled("unit", bytemuck::cast_slice(&unit), wgpu::BufferUsages::UNIFORM);
         let rounds = filled("rounds", &rounds(&layout), wgpu::BufferUsages::UNIFORM);
@@ -149,9 +150,14 @@ impl DistanceField {
             distances,
             control,
             output,
-            read_control,
             expected: FEW_ROUNDS,
+            most,
         }
+    }
+
+    /// Lets an answer take fewer rounds, or more, than a front is known to need: some thousand, and sixteen for each patch.
+    pub fn limit_rounds(&mut self, rounds: u32) {
+        self.most = rounds;
     }
 
     /// Distances from the nearest of some sources, for all vertices of the order. They are in [`buffer`](Self::buffer) when this is
@@ -168,7 +174,6 @@ impl DistanceField {
         let sources = sources.collect::<Result<Vec<_>, heatwalk::surface::Error>>()?;
         let seeds = Seeds::new(&self.layout, &sources);
         self.start(&seeds);
-        let most = ROUNDS_OF_ANY.saturating_add(ROUNDS_OF_PATCH.saturating_mul(self.layout.patches.len() as u32));
         let (mut encoded, mut batch) = (0, self.expected);
         loop {
             let answer = self.advance_by(batch).await?;
@@ -179,9 +184,10 @@ impl DistanceField {
                 self.expected = (expected as u32 + 1).next_multiple_of(PHASES);
                 return Ok(Progress { rounds });
             }
-            if encoded >= most {
+            if encoded >= self.most {
                 return Err(Error::NotFinished { rounds });
             }
+            // A front that needs many gets more of them at once.
             batch = FEW_ROUNDS.max((encoded / 4).next_multiple_of(PHASES));
         }
     }
@@ -197,16 +203,22 @@ impl DistanceField {
     /// # Errors
     /// [`Error::Device`].
     pub async fn read(&self) -> Result<Vec<f32>> {
-        let read = self.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("distances to read"),
-            size: self.output.size(),
+        let mut encoder = self.encoder();
+        let read = self.copied(&mut encoder, &self.output, self.output.size());
+        self.queue.submit([encoder.finish()]);
+        readback::read(&self.device, &read).await
+    }
+
+    /// A copy of the first bytes of a buffer, to be read. It is a new one each time: who waited for the last one may have given up.
+    fn copied(&self, encoder: &mut wgpu::CommandEncoder, buffer: &wgpu::Buffer, size: u64) -> wgpu::Buffer {
+        let copy = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("copy to read"),
+            size,
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
-        let mut encoder = self.encoder();
-        encoder.copy_buffer_to_buffer(&self.output, 0, &read, 0, self.output.size());
-        self.queue.submit([encoder.finish()]);
-        readback::read(&self.device, &read).await
+        encoder.copy_buffer_to_buffer(buffer, 0, &copy, 0, size);
+        copy
     }
 
     fn encoder(&self) -> wgpu::CommandEncoder {
@@ -257,9 +269,9 @@ impl DistanceField {
         pass.set_bind_group(0, &self.gather, &[]);
         pass.dispatch_workgroups((self.output.size() / 4).div_ceil(64).min(u64::from(MOST_WORKGROUPS)) as u32, 1, 1);
         drop(pass);
-        encoder.copy_buffer_to_buffer(&self.control, 0, &self.read_control, 0, self.read_control.size());
+        let read = self.copied(&mut encoder, &self.control, 4 * CONTROL_WORDS as u64);
         self.queue.submit([encoder.finish()]);
-        readback::read(&self.device, &self.read_control).await
+        readback::read(&self.device, &read).await
     }
 }
 
@@ -311,7 +323,7 @@ impl Sizes {
             sent: LABEL * 4 * u64::from(layout.edge_count.max(1)),
             distances: words(layout.surface().vertex_count()),
             control: words(CONTROL_WORDS + 4 * layout.patches.len()),
-            output: words(order.max(1)),
+            output: words(order),
         }
     }
 

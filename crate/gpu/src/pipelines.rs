@@ -6,12 +6,18 @@ use crate::patches::Capacity;
 /// neighbors may know of something nearer.
 const PASSES: usize = 16;
 
-/// The text of `patch.wgsl` for patches of a capacity.
+/// The text of a round for patches of a capacity.
 pub fn patch_shader(capacity: Capacity) -> String {
     let Capacity { faces, edges, vertices } = capacity;
     let constants = [("FACES", faces), ("EDGES", edges), ("VERTICES", vertices), ("PASSES", PASSES)];
     let constants = constants.map(|(name, value)| format!("const {name} = {value}u;\n")).concat();
-    constants + include_str!("shaders/window.wgsl") + include_str!("shaders/patch.wgsl")
+    let texts = [
+        include_str!("shaders/window.wgsl"),
+        include_str!("shaders/patch.wgsl"),
+        include_str!("shaders/front.wgsl"),
+        include_str!("shaders/round.wgsl"),
+    ];
+    constants + &texts.concat()
 }
 
 pub const CLEAR_SHADER: &str = include_str!("shaders/clear.wgsl");

@@ -23,7 +23,7 @@ pub const CORNER_BITS: u32 = 10;
 /// Shares of a half-edge that the interval of a window is kept in.
 const SHARES: u32 = 0xffff;
 
-/// `Face` of `patch.wgsl`.
+/// `Face` of the shaders.
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
 #[repr(C)]
 pub struct FaceRecord {
@@ -56,7 +56,7 @@ pub struct PatchRecord {
 /// Words of a [`PatchRecord`].
 pub const PATCH_WORDS: usize = size_of::<PatchRecord>() / size_of::<u32>();
 
-/// `Round` of `patch.wgsl`.
+/// `Round` of the shaders.
 #[derive(Debug, Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 pub struct RoundRecord {

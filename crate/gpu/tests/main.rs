@@ -46,6 +46,8 @@ fn main() -> ExitCode {
         sources::an_answer_does_not_depend_on_the_one_before,
         sources::the_buffer_has_the_order_of_the_caller,
         errors::meshes_that_do_not_fit_are_refused,
+        errors::orders_that_are_none_are_refused,
+        errors::a_front_that_goes_on_for_long_is_given_up,
         errors::sources_that_are_not_there_are_refused,
     ];
     let large = tests![large::errors_of_large_meshes_are_small];
