@@ -10,7 +10,7 @@ use heatwalk_base::parallel;
 use std::sync::Arc;
 
 use crate::error::{Error, Result};
-use crate::patches::{Capacity, Faces, bisect};
+use crate::patches::{Capacity, Faces, PatchSize, bisect};
 use crate::records::{CORNER_BITS, FaceRecord, LEAVING, NONE, PATCH_WORDS, PatchRecord};
 
 /// The longest edge, in mean edges: beyond, single precision does not tell places apart that are an edge from each other.
@@ -105,6 +105,14 @@ impl Layout {
     /// # Errors
     /// [`Error::NotManifold`]; [`Error::TooLarge`] from 2²⁸ faces on; [`Error::LongEdge`]; [`Error::UnitOutOfRange`].
     pub fn new(surface: &Arc<Surface>) -> Result<Self> {
+        Self::with_patches(surface, PatchSize::of_mesh(surface.face_count()))
+    }
+
+    /// The same with patches of this size instead of that which suits most cards.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_patches(surface: &Arc<Surface>, size: PatchSize) -> Result<Self> {
         if !surface.is_oriented_manifold() {
             return Err(Error::NotManifold { edges: cut_edges(surface) });
         }
@@ -112,11 +120,7 @@ impl Layout {
             let (needed, limit) = (surface.face_count() as u64, MOST_FACES as u64 - 1);
             return Err(Error::TooLarge { what: "triangles", needed, limit, unit: "numbers" });
         }
-        Self::with_capacity(surface, Capacity::of_mesh(surface.face_count()))
-    }
-
-    /// The same with patches of this capacity.
-    pub(crate) fn with_capacity(surface: &Arc<Surface>, capacity: Capacity) -> Result<Self> {
+        let capacity = size.capacity();
         let (triangles, flips) = Triangles::new(surface);
         let mean_edge = triangles.mean_edge();
         require_range(&triangles, mean_edge)?;

@@ -22,3 +22,4 @@ mod seeds;
 pub use error::{Error, Result};
 pub use field::{DistanceField, Progress};
 pub use layout::Layout;
+pub use patches::PatchSize;

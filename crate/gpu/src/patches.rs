@@ -13,17 +13,34 @@ pub struct Capacity {
     pub vertices: usize,
 }
 
-/// Patches of few faces are more, so that there is one for each part of a large card; those of many exchange less.
-const FEW: Capacity = Capacity { faces: 64, edges: 64, vertices: 96 };
-const MANY: Capacity = Capacity { faces: 96, edges: 80, vertices: 128 };
+/// How many faces a patch has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PatchSize {
+    /// At most 64, so that also small meshes have a patch for each part of a card.
+    Small,
+    /// At most 96, so that less goes from patch to patch.
+    Large,
+}
 
-/// Meshes of so many faces have enough large patches for all of a card.
+const SMALL: Capacity = Capacity { faces: 64, edges: 64, vertices: 96 };
+const LARGE: Capacity = Capacity { faces: 96, edges: 80, vertices: 128 };
+
+/// Meshes of more faces have enough large patches for all of a card.
 const LARGE_MESH: usize = 300_000;
 
-impl Capacity {
+impl PatchSize {
     /// That of patches of a mesh of so many faces.
+    #[must_use]
     pub fn of_mesh(faces: usize) -> Self {
-        if faces > LARGE_MESH { MANY } else { FEW }
+        if faces > LARGE_MESH { Self::Large } else { Self::Small }
+    }
+
+    /// The most that such a patch has.
+    pub(crate) fn capacity(self) -> Capacity {
+        match self {
+            Self::Small => SMALL,
+            Self::Large => LARGE,
+        }
     }
 }
 

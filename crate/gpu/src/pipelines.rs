@@ -117,6 +117,7 @@ mod tests {
     use naga::{AddressSpace, Module};
 
     use super::*;
+    use crate::patches::PatchSize;
 
     fn valid(text: &str) -> Module {
         let module =
@@ -142,7 +143,7 @@ mod tests {
     fn shaders_stay_within_the_default_limits_of_webgpu() {
         let limits = wgpu::Limits::default();
         assert_eq!(limits.max_compute_workgroup_storage_size, 16_384);
-        let sizes = [1, 1_000_000].map(Capacity::of_mesh);
+        let sizes = [1, 1_000_000].map(|faces| PatchSize::of_mesh(faces).capacity());
         assert_ne!(sizes[0], sizes[1]);
         let texts = sizes.map(patch_shader).into_iter().chain([CLEAR_SHADER, GATHER_SHADER].map(str::to_owned));
         for text in texts {

@@ -35,11 +35,13 @@ fn main() -> ExitCode {
     }
     let small = tests![
         meshes::a_plane_is_straight,
+        meshes::large_patches_give_the_same,
         meshes::curved_surfaces_are_near_to_the_exact_distance,
         meshes::paths_bend_at_saddles_and_at_the_boundary,
         meshes::components_without_a_source_are_not_reached,
         meshes::flipped_triangles_keep_the_metric,
         meshes::many_patches_around_one_vertex,
+        meshes::patches_that_wait_keep_what_has_come,
         sources::a_source_in_a_face_or_on_an_edge,
         sources::the_nearest_of_several_sources,
         sources::a_later_source_counts_from_its_initial_distance,

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use heatwalk::{Soup, Surface, VertexId};
+use heatwalk_gpu::{DistanceField, Layout, PatchSize};
 use heatwalk_shapes as shapes;
 use libtest_mimic::Failed;
 
@@ -24,6 +25,15 @@ fn check(device: &Device, surface: &Arc<Surface>, sources: &[u32], bounds: [f64;
 pub fn a_plane_is_straight(device: &Device) -> Result<(), Failed> {
     check(device, &surface(&shapes::grid(1, 1)), &[0, 3], BOUNDS)?;
     check(device, &surface(&shapes::grid(24, 30)), &[0, 400], BOUNDS)
+}
+
+pub fn large_patches_give_the_same(device: &Device) -> Result<(), Failed> {
+    let surface = surface(&shapes::torus(2.0, 0.7, 60, 30));
+    let layout = Arc::new(Layout::with_patches(&surface, PatchSize::Large)?);
+    let Device { device, queue } = device;
+    let mut field = pollster::block_on(DistanceField::new(device, queue, layout, surface.vertices()))?;
+    let (values, _) = solved(&mut field, &[VertexId(5)])?;
+    compare(&values, &exact(&surface, &[VertexId(5)]), surface.mean_edge(), BOUNDS)
 }
 
 pub fn curved_surfaces_are_near_to_the_exact_distance(device: &Device) -> Result<(), Failed> {
@@ -77,4 +87,15 @@ pub fn many_patches_around_one_vertex(device: &Device) -> Result<(), Failed> {
     let hub = surface.vertices().max_by_key(hub).expect("a vertex");
     // Two windows of an edge see little of what lies behind slivers: those of the processor err as much there.
     check(device, &surface, &[hub.0, 700], [0.5, 3.0])
+}
+
+/// Beside a fine sheet a coarse one is reached long before its turn, and keeps what comes to it until then.
+pub fn patches_that_wait_keep_what_has_come(device: &Device) -> Result<(), Failed> {
+    let mut soup = shapes::grid(40, 40);
+    let coarse = shapes::grid(16, 16);
+    // Ten times as large, opposite the corner at the origin.
+    soup.add(coarse.positions.iter().map(|&position| -10.0 * position), &coarse.triangles);
+    let surface = surface(&soup);
+    let corner = surface.vertices().find(|&vertex| surface.position(vertex) == DVec3::ZERO).expect("a corner");
+    check(device, &surface, &[corner.0, 800], BOUNDS)
 }

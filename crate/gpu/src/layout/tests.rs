@@ -16,10 +16,9 @@ fn layouts() -> Vec<Layout> {
         apart.add([first, first + DVec3::X, first + DVec3::Y], &[[0, 1, 2]]);
     }
     let soups = [shapes::torus(2.0, 0.7, 40, 20), shapes::grid(17, 23), shapes::horse(0.06), apart];
-    let capacities = [1, 1_000_000].map(Capacity::of_mesh);
     let of_both = |soup: &Soup| {
         let surface = surface(soup);
-        capacities.map(|capacity| Layout::with_capacity(&surface, capacity).expect("manifold"))
+        [PatchSize::Small, PatchSize::Large].map(|size| Layout::with_patches(&surface, size).expect("manifold"))
     };
     soups.iter().flat_map(of_both).collect()
 }
@@ -44,8 +43,7 @@ fn patches_hold_each_face_once_and_no_more_than_fits() {
 
 #[test]
 fn a_capacity_of_96_faces_is_used() {
-    let layout =
-        Layout::with_capacity(&surface(&shapes::grid(40, 40)), Capacity::of_mesh(1_000_000)).expect("manifold");
+    let layout = Layout::with_patches(&surface(&shapes::grid(40, 40)), PatchSize::Large).expect("manifold");
     assert_eq!(layout.patches.iter().map(|patch| patch.face_count).max(), Some(96));
 }
 
