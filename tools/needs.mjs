@@ -8,6 +8,7 @@ const OLDEST_NODE = 20;
 const OLDEST_RUST = [1, 95];
 const TYPOS = '1.52.0';
 const DENY = '0.20.2';
+const FUZZ = '0.13.2';
 const WASM = 'wasm32-unknown-unknown';
 const DEBIAN_LINKER = '/usr/bin/rust-lld';
 
@@ -42,6 +43,11 @@ const DEBIAN = {
     packages: ['libegl1', 'libgl1-mesa-dri'],
     why: 'the page is drawn by the processor in its tests, in half the time',
     find: hasMesa,
+  },
+  compiler: {
+    packages: ['g++'],
+    why: 'libFuzzer is compiled',
+    find: () => ['c++', 'g++', 'clang++'].map((name) => output('which', [name])).find(Boolean),
   },
   vulkan: {
     packages: ['mesa-vulkan-drivers'],
@@ -109,6 +115,16 @@ export function requireTypos() {
 /** The path of the program that knows licenses and advisories of crates. */
 export function requireDeny() {
   return requireTool('cargo-deny', 'cargo-deny', DENY);
+}
+
+/** The path of the program that builds and runs fuzz targets. */
+export function requireFuzz() {
+  return requireTool('cargo-fuzz', 'cargo-fuzz', FUZZ);
+}
+
+/** Looks for a compiler of C++, which libFuzzer needs. */
+export function requireCompiler() {
+  if (!findOrInstall('compiler')) fail(`There is no compiler of C++. ${remedy('compiler')}`);
 }
 
 /** The path of a program of this version in `target`; cargo compiles it where there is none, and none is brought. */

@@ -1,0 +1,4 @@
+//! Files of PLY.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| heatwalk_fuzz::reading::mesh("a.ply", bytes));
