@@ -8,6 +8,7 @@
 
 #![cfg(not(target_arch = "wasm32"))]
 
+use std::f64::consts::SQRT_2;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -24,9 +25,9 @@ use crate::common::{any_triangles, grid_triangles, soup};
 /// Threads that surfaces are built and triangles unfolded on.
 const THREADS: [usize; 2] = [1, 2];
 
-/// What the order of sums may change in a distance by heat, as a share of the largest: a system of condition 10⁶ loses as many of
-/// sixteen digits.
-const ORDER_OF_SUMS: f64 = 1e-10;
+/// What the order of sums may change in a distance by heat, as a share of the largest: what distance grows by along an edge is kept in
+/// this share of the edge, and a sum that differs in its last digit may be rounded to the next one.
+const ORDER_OF_SUMS: f64 = 1.0 / u16::MAX as f64;
 
 /// Meshes by name.
 fn mesh(name: &str) -> Soup {
@@ -183,7 +184,7 @@ const HEAT: [(&str, Boundary, [f64; 8]); 8] = [
             0.0,
             14.660422221671856,
             0.0,
-            1.4142135623730951,
+            SQRT_2,
             6.549755741660421,
             24.331050121192877,
             26.476404589747453,
