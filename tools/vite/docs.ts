@@ -13,6 +13,8 @@ const ORDER = [
   'page',
   'program',
   'python',
+  'npm',
+  'datasets',
   'method',
   'accuracy',
   'benchmarks',

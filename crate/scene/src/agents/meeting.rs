@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 
-use super::Agent;
+use super::agent::Agent;
 
 /// Strength of the force between agents, for lengths in radii and seconds.
 const STRENGTH: f64 = 20.0;

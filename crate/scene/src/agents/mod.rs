@@ -6,17 +6,19 @@
 //! time τ to the meeting. What overlaps all the same is moved apart. Directions between agents are taken in the tangent plane, so
 //! radii should be small against bends of the surface.
 
+mod agent;
 mod grid;
 mod meeting;
 mod slide;
 
 use std::sync::Arc;
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::DVec3;
 use heatwalk::{Costs, Distance, Error, FaceId, Result, Surface, SurfacePoint};
 
 use crate::flow::{Flow, Place};
 use crate::footing::{Footing, turned};
+pub use agent::Agent;
 use grid::{Grid, Lies};
 use meeting::{Other, met};
 use slide::slid;
@@ -31,40 +33,6 @@ const TOUCH: [f64; 2] = [1.25, 2.0];
 const SIGHT: f64 = 4.0;
 /// Steps after which agents are put in order of their faces again.
 const ORDERED_FOR: usize = 16;
-
-/// Someone on the way.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Agent {
-    /// A face that it stands on.
-    pub face: FaceId,
-    /// Where in that face: barycentric weights, non-negative, of sum 1.
-    pub weights: [f64; 3],
-    /// The same place, in the file's unit.
-    pub position: DVec3,
-    /// In the file's unit a second, along the surface.
-    pub velocity: DVec3,
-    /// Unit normal there.
-    pub upright: DVec3,
-    /// Unit vector at right angles to `upright`, in which it looks.
-    pub heading: DVec3,
-    /// In the file's unit.
-    pub radius: f64,
-    /// In the file's unit a second, where a unit of length costs 1.
-    pub speed: f64,
-    /// How far the nearest source is; infinite where there is none.
-    pub left: f64,
-    /// Whether it touches a source, or one that has arrived and is nearer to it.
-    pub has_arrived: bool,
-}
-
-impl Agent {
-    /// The turn that takes x to its right, y upward and z backward, as models of glTF stand.
-    #[must_use]
-    pub fn orientation(&self) -> DQuat {
-        let back = -self.heading;
-        DQuat::from_mat3(&DMat3::from_cols(self.upright.cross(back), self.upright, back))
-    }
-}
 
 /// What agents make way for: a ball in space.
 #[derive(Debug, Clone, Copy, PartialEq)]
