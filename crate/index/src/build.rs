@@ -8,6 +8,7 @@ use std::thread;
 
 use heatwalk::exact::{ExactGeometry, Wavefront};
 use heatwalk::sparse::{Part, Pattern, Separators};
+use heatwalk::surface::scale::scale;
 use heatwalk::{Element, Progress, Stage, Surface, VertexId};
 
 use crate::error::Result;
@@ -35,7 +36,9 @@ impl DistanceIndex {
             .try_reserve_exact(tree.label_count())
             .map_err(|_| heatwalk::Error::OutOfMemory { stage: "making labels" })?;
         labels.resize(tree.label_count(), f32::INFINITY);
-        let search = Search { geometry: &geometry, order: &order, parts: &parts, tree: &tree };
+        let coordinates = surface.positions().iter().flat_map(|position| position.to_array());
+        let shrink = scale(coordinates.map(f64::abs).fold(0.0, f64::max));
+        let search = Search { geometry: &geometry, order: &order, parts: &parts, tree: &tree, shrink };
         let labels = search.all(labels, threads, progress)?;
         let mut place_of_vertex = vec![NONE; surface.vertex_count()];
         for (place, &vertex) in (0..).zip(&order) {
@@ -48,12 +51,13 @@ impl DistanceIndex {
             let part = parts[tree.part_of(place_of_vertex[vertex.index()] as usize)];
             part.start < part.separator
         };
-        let longest = order.iter().map(|&vertex| longest_edge(surface, VertexId(vertex), is_between));
+        let longest = order.iter().map(|&vertex| longest_edge(surface, VertexId(vertex), is_between, shrink));
         Ok(Self {
             fingerprint: file::fingerprint(surface),
             place_of_input: place_of_input.collect(),
             longest: longest.collect(),
             tree,
+            unit: shrink.recip(),
             labels,
         })
     }
@@ -75,10 +79,10 @@ fn pattern(surface: &Surface) -> Result<Pattern> {
 }
 
 /// Of the edges to some vertices, rounded up.
-fn longest_edge(surface: &Surface, vertex: VertexId, is_wanted: impl Fn(VertexId) -> bool) -> f32 {
+fn longest_edge(surface: &Surface, vertex: VertexId, is_wanted: impl Fn(VertexId) -> bool, shrink: f64) -> f32 {
     let position = surface.position(vertex);
     let others = surface.neighbours(vertex).filter(|&other| is_wanted(other));
-    let lengths = others.map(|other| surface.position(other).distance(position));
+    let lengths = others.map(|other| (shrink * (surface.position(other) - position)).length());
     (lengths.fold(0.0, f64::max) as f32).next_up()
 }
 
@@ -87,6 +91,8 @@ struct Search<'a> {
     order: &'a [u32],
     parts: &'a [Part],
     tree: &'a Tree,
+    /// What lengths are multiplied by, so that labels are near 1.
+    shrink: f64,
 }
 
 impl Search<'_> {
@@ -153,7 +159,7 @@ impl Search<'_> {
             front.advance(f64::INFINITY, work)?;
         }
         row.clear();
-        row.extend(vertices.iter().map(|&vertex| front.values()[VertexId(vertex)] as f32));
+        row.extend(vertices.iter().map(|&vertex| (self.shrink * front.values()[VertexId(vertex)]) as f32));
         Ok(())
     }
 }

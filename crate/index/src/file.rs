@@ -1,7 +1,7 @@
 //! Indices as bytes.
 //!
 //! All numbers are little-endian: eight bytes of [`MAGIC`], the version (u32), the counts of input vertices, places, nodes (u32 each), the fingerprint
-//! of the surface (u64); then the place of each input vertex (u32), of each node its parent, the begin and the end of its separator (u32 each), of each
+//! of the surface (u64), the unit of the lengths (f64, in the file's); then the place of each input vertex (u32), of each node its parent, the begin and the end of its separator (u32 each), of each
 //! place its longest edge (f32), the labels (f32), and the checksum of all before (u64).
 
 use std::io::{self, Write};
@@ -13,10 +13,10 @@ use crate::error::{Error, Result};
 use crate::tree::{NONE, Node, Tree};
 
 const MAGIC: &[u8; 8] = b"hwindex\n";
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// Bytes before the first array, and after the last.
-const HEAD: usize = 8 + 4 * 4 + 8;
+const HEAD: usize = 8 + 4 * 4 + 8 + 8;
 const TAIL: usize = 8;
 
 /// A hash that is the same everywhere and at all times: FNV-1a of words of eight bytes.
@@ -66,6 +66,7 @@ impl DistanceIndex {
         put(&VERSION.to_le_bytes())?;
         put(&counts.map(|count| (count as u32).to_le_bytes()).concat())?;
         put(&self.fingerprint.to_le_bytes())?;
+        put(&self.unit.to_le_bytes())?;
         let words = |words: &mut dyn Iterator<Item = [u8; 4]>| words.flatten().collect::<Vec<u8>>();
         put(&words(&mut self.place_of_input.iter().map(|place| place.to_le_bytes())))?;
         let of_node = |node: &Node| [node.parent, node.separator, node.end].map(u32::to_le_bytes);
@@ -93,10 +94,11 @@ impl DistanceIndex {
         if version != VERSION {
             return Err(Error::OtherVersion { found: version, known: VERSION });
         }
-        let fingerprint = u64::from(word(24)) | u64::from(word(28)) << 32;
+        let double = |place: usize| u64::from(word(place)) | u64::from(word(place + 4)) << 32;
+        let (fingerprint, unit) = (double(24), f64::from_bits(double(32)));
         // In the order and the pieces in which it was written.
         let mut hash = Hash::new();
-        [0..8, 8..12, 12..24, 24..HEAD].into_iter().for_each(|range| hash.bytes(&whole[range]));
+        [0..8, 8..12, 12..24, 24..32, 32..HEAD].into_iter().for_each(|range| hash.bytes(&whole[range]));
         let (words, odd) = whole[HEAD..].as_chunks::<4>();
         let lengths = [inputs as usize, 3 * nodes as usize, places as usize];
         if !odd.is_empty() || lengths.iter().sum::<usize>() > rest / 4 {
@@ -120,14 +122,15 @@ impl DistanceIndex {
             .map(|&[parent, separator, end]| Node { parent, separator, end })
             .collect();
         let place_of_input = numbers(place_of_input);
-        if !is_tree(&nodes, places) || place_of_input.iter().any(|&place| place != NONE && place >= places) {
+        let is_sound = unit > 0.0 && unit.is_finite() && is_tree(&nodes, places);
+        if !is_sound || place_of_input.iter().any(|&place| place != NONE && place >= places) {
             return Err(Error::Damaged);
         }
         let tree = Tree::of_nodes(nodes);
         if tree.label_count() != labels.len() {
             return Err(Error::Damaged);
         }
-        Ok(Self { fingerprint, place_of_input, tree, longest: lengths(longest), labels: lengths(labels) })
+        Ok(Self { fingerprint, place_of_input, tree, unit, longest: lengths(longest), labels: lengths(labels) })
     }
 
     /// Refuses another surface than the one that it is of.

@@ -28,6 +28,8 @@ pub struct DistanceIndex {
     /// Of each vertex of the input its place in the order of the tree; [`NONE`] where no face uses it.
     place_of_input: Vec<u32>,
     tree: Tree,
+    /// What a length of 1 below is in the file's unit: a power of two, which rounds nothing.
+    unit: f64,
     /// Of each place, the longest edge from its vertex to one of a separator.
     longest: Vec<f32>,
     /// Of each place, one after another: distances to the separators above it, those of the whole first.
@@ -69,7 +71,7 @@ impl DistanceIndex {
         for (hub, other) in [(from, to), (to, from)] {
             if self.tree.part_of(hub) == common {
                 let distance = f64::from(self.labels_of(other)[self.tree.label_of(hub)]);
-                return rounded(distance, distance);
+                return self.bounds(distance, distance);
             }
         }
         let [from, to] = [self.labels_of(from), self.labels_of(to)];
@@ -84,7 +86,12 @@ impl DistanceIndex {
                 apart = apart.max((from - to).abs() - sum * f32::EPSILON);
             }
         }
-        rounded(f64::from(lower.max(apart)), f64::from(upper))
+        self.bounds(f64::from(lower.max(apart)), f64::from(upper))
+    }
+
+    /// In the file's unit, with room for numbers and sums of 32 bits.
+    fn bounds(&self, lower: f64, upper: f64) -> Bounds {
+        Bounds { lower: lower * (1.0 - 2.0 * ROUNDING) * self.unit, upper: upper * (1.0 + 2.0 * ROUNDING) * self.unit }
     }
 
     fn labels_of(&self, place: usize) -> &[f32] {
@@ -102,9 +109,4 @@ impl DistanceIndex {
     pub fn label_count(&self) -> usize {
         self.labels.len()
     }
-}
-
-/// With room for numbers and sums of 32 bits.
-fn rounded(lower: f64, upper: f64) -> Bounds {
-    Bounds { lower: lower * (1.0 - 2.0 * ROUNDING), upper: upper * (1.0 + 2.0 * ROUNDING) }
 }

@@ -207,8 +207,18 @@ fn ply_has_indices_of_eight_bytes_and_one_list_of_vertices() {
         bytes.extend(face.into_iter().flat_map(u64::to_be_bytes));
     }
     assert_square(&read("a.ply", &bytes).unwrap(), "bytes");
+    let end = bytes.len();
     bytes.push(7);
-    assert_eq!(read("a.ply", &bytes).unwrap().warnings[0].code, WarningCode::Trailing);
+    let trailing = |bytes: &[u8]| {
+        let warning = read("a.ply", bytes).unwrap().warnings[0].clone();
+        assert_eq!(warning.code, WarningCode::Trailing);
+        warning.place
+    };
+    assert_eq!(trailing(&bytes), format!("byte {end}"));
+    // What is no UTF-8 counts as any other text.
+    let text = [PLY.trim_ascii_end().as_bytes(), b"\n\n\xff\xff\xff\xff"].concat();
+    let line = PLY.trim_ascii_end().lines().count() + 2;
+    assert_eq!(trailing(&text), format!("line {line}"));
     let twice = PLY.replace(
         "element face",
         "element vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face",

@@ -53,6 +53,23 @@ fn other_components_and_vertices_of_no_triangle_are_at_infinity() {
 }
 
 #[test]
+fn lengths_that_32_bits_do_not_hold_are_indexed_too() {
+    let folder = folder("index_sizes");
+    fs::write(folder.join("pairs.txt"), "0,1\n0,2\n").unwrap();
+    for size in ["1e-120", "1e120"] {
+        let square = format!("v 0 0 0\nv {size} 0 0\nv {size} {size} 0\nv 0 {size} 0\nf 1 2 3\nf 1 3 4\n");
+        fs::write(folder.join("square.obj"), square).unwrap();
+        succeed(&folder, &["index", "square.obj", "--output", "square.hwindex"]);
+        let told = json(&folder, &["pairs", "square.obj", "--pairs", "pairs.txt", "--index", "square.hwindex"]);
+        for name in ["distances", "at_least"] {
+            let sides = numbers(&told, name).into_iter().map(|length| length / size.parse::<f64>().unwrap());
+            let sides: Vec<f64> = sides.collect();
+            assert!((sides[0] - 1.0).abs() < 1e-6 && (sides[1] - 2.0_f64.sqrt()).abs() < 1e-6, "{name}: {sides:?}");
+        }
+    }
+}
+
+#[test]
 fn bad_indices_are_refused() {
     let folder = folder("index_refused");
     fs::write(folder.join("pairs.txt"), "0,1\n").unwrap();

@@ -66,8 +66,9 @@ fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Soup> {
     let (keyword, count) = first.split_at(keyword_end);
     // The keyword is optional in the format.
     let header = if keyword.is_empty() { Header::parse("OFF") } else { Header::parse(keyword) };
-    let header = header
-        .ok_or_else(|| OFF.line(words.line(), format!("{keyword:?} is not an OFF header; save it as plain OFF")))?;
+    let header = header.ok_or_else(|| {
+        OFF.line(words.line(), format!("{} is not an OFF header; save it as plain OFF", text::quoted(keyword)))
+    })?;
     words.skip_to(&words.rest()[keyword_end..]);
     if count.is_empty() && words.peek().is_some_and(|word| word.starts_with("BINARY")) {
         return Err(Error::Unsupported {
@@ -116,7 +117,7 @@ trait File<'a> {
 impl<'a, I: Iterator<Item = (usize, &'a str)>> File<'a> for Words<'a, I> {
     fn index(&mut self, what: &str) -> Result<u64> {
         let word = self.take().ok_or_else(|| ends(&format!("{what} is missing")))?;
-        let expected = || format!("{what} is expected, but {word:?} is found; correct the line");
+        let expected = || format!("{what} is expected, but {} is found; correct the line", text::quoted(word));
         word.parse().map_err(|_| OFF.line(self.line(), expected()))
     }
 

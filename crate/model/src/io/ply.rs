@@ -34,10 +34,10 @@ struct Element {
     properties: Vec<Property>,
 }
 
-/// Where the values come from.
+/// Where the values come from: the whole of it, and what is left.
 enum Body<'a> {
-    Ascii(&'a str),
-    Binary { bytes: &'a [u8], is_little: bool },
+    Ascii { all: &'a str, rest: &'a str },
+    Binary { all: &'a [u8], rest: &'a [u8], is_little: bool },
 }
 
 impl Body<'_> {
@@ -47,23 +47,30 @@ impl Body<'_> {
     /// What is there instead.
     fn next(&mut self, scalar: Scalar) -> std::result::Result<f64, String> {
         match self {
-            Self::Ascii(rest) => {
+            Self::Ascii { rest, .. } => {
                 let word = text::word(rest);
                 word.and_then(text::number).ok_or_else(|| text::why_no_number(word))
             }
-            Self::Binary { bytes, is_little } => {
-                let (own, rest) = bytes.split_at_checked(scalar.size()).ok_or("the file ends before it")?;
-                *bytes = rest;
+            Self::Binary { rest, is_little, .. } => {
+                let (own, left) = rest.split_at_checked(scalar.size()).ok_or("the file ends before it")?;
+                *rest = left;
                 Ok(scalar.number(own, *is_little))
             }
         }
     }
 
-    /// Bytes that are left, but for white space behind text.
-    fn left(&self) -> usize {
-        match self {
-            Self::Ascii(rest) => rest.trim_ascii().len(),
-            Self::Binary { bytes, .. } => bytes.trim_ascii().len(),
+    /// Where something is left, other than white space, behind a header.
+    fn left(&self, header: &[u8]) -> Option<String> {
+        match *self {
+            Self::Ascii { all, rest } => {
+                let left = rest.trim_ascii_start();
+                let lines = text::line_number(&all.as_bytes()[..all.len() - left.len()]) - 1;
+                (!left.is_empty()).then(|| format!("line {}", text::line_number(header) + lines))
+            }
+            Self::Binary { all, rest, .. } => {
+                let place = header.len() + all.len() - rest.len();
+                (!rest.trim_ascii().is_empty()).then(|| format!("byte {place}"))
+            }
         }
     }
 }
@@ -76,14 +83,14 @@ pub const FORMAT: Format = Format {
 };
 
 fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
-    let Header { elements, encoding, unit, body } = header(bytes)?;
+    let Header { elements, encoding, unit, body: values } = header(bytes)?;
     let text;
     let mut body = match encoding {
         Encoding::Ascii => {
-            text = String::from_utf8_lossy(body);
-            Body::Ascii(&text)
+            text = String::from_utf8_lossy(values);
+            Body::Ascii { all: &text, rest: &text }
         }
-        Encoding::Binary { is_little } => Body::Binary { bytes: body, is_little },
+        Encoding::Binary { is_little } => Body::Binary { all: values, rest: values, is_little },
     };
     let mut positions: Vec<DVec3> = Vec::new();
     let mut colors: Vec<[u16; 4]> = Vec::new();
@@ -174,9 +181,8 @@ fn read(budget: &Budget, name: &str, bytes: &[u8]) -> Result<Model> {
             }
         }
     }
-    let left = body.left();
-    if left > 0 {
-        warnings.add(WarningCode::Trailing, || format!("byte {}", bytes.len() - left));
+    if let Some(place) = body.left(&bytes[..bytes.len() - values.len()]) {
+        warnings.add(WarningCode::Trailing, || place);
     }
     let place = |polygon: usize| format!("face {polygon}");
     polygons
@@ -324,7 +330,7 @@ fn header(bytes: &[u8]) -> Result<Header<'_>> {
         is_lone = rest[text] == b'\r' && length == text + 1;
         let line = String::from_utf8_lossy(&rest[..text]);
         rest = &rest[length..];
-        let wrong = |problem: &str| PLY.line(number, format!("{problem}: {:?}", line.trim()));
+        let wrong = |problem: &str| PLY.line(number, format!("{problem}: {}", text::quoted(line.trim())));
         let words: Vec<&str> = line.split_whitespace().collect();
         match words[..] {
             ["comment", "lengths", "in", symbol] => {

@@ -160,14 +160,25 @@ fn no_number(word: &str) -> Option<f64> {
     (is_nan && digits[3..].starts_with(['(', 's', 'q', 'S', 'Q'])).then_some(f64::NAN)
 }
 
+/// Letters of a file that a sentence quotes at most.
+const MOST_QUOTED: usize = 60;
+
+/// What is written in a file, in quotation marks, without control characters, and no longer than one reads.
+pub fn quoted(text: &str) -> String {
+    match text.char_indices().nth(MOST_QUOTED) {
+        Some((end, _)) => format!("{:?}...", &text[..end]),
+        None => format!("{text:?}"),
+    }
+}
+
 /// Why a word is no number, or what is missing instead; without a full stop.
 pub fn why_no_number(word: Option<&str>) -> String {
     match word {
         None => "it is missing".to_owned(),
         Some(word) if number(&word.replacen(',', ".", 1)).is_some() => {
-            format!("{word:?} has a decimal comma; save the file with decimal points")
+            format!("{} has a decimal comma; save the file with decimal points", quoted(word))
         }
-        Some(word) => format!("{word:?} is found"),
+        Some(word) => format!("{} is found", quoted(word)),
     }
 }
 
@@ -177,6 +188,14 @@ mod tests {
 
     #[cfg(target_arch = "wasm32")]
     use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    #[test]
+    fn long_texts_are_quoted_in_part() {
+        assert_eq!(quoted("v 1\u{1}2"), r#""v 1\u{1}2""#);
+        let long = "\u{fffd}".repeat(MOST_QUOTED);
+        assert_eq!(quoted(&long), format!("{long:?}"));
+        assert_eq!(quoted(&(long.clone() + "x")), format!("{long:?}..."));
+    }
 
     #[test]
     fn lines_end_by_any_of_three_signs() {

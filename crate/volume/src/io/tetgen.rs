@@ -2,7 +2,7 @@
 //! from 0 or 1 as the first vertex is. Attributes and boundary markers are skipped.
 
 use glam::DVec3;
-use heatwalk_model::io::Budget;
+use heatwalk_model::io::{Budget, text};
 
 use super::cells::{Kind, NamedCells, NamedMesh, Numbers, Shape};
 use super::error::Result;
@@ -37,7 +37,8 @@ fn header<const N: usize>(input: &mut Input, names: [&str; N], mut header: [usiz
     }
     for ((number, word), name) in header.iter_mut().zip(words).zip(names) {
         let found = word.parse();
-        *number = found.map_err(|_| input.damaged(&format!("{name} is expected, but {word:?} is found")))?;
+        *number =
+            found.map_err(|_| input.damaged(&format!("{name} is expected, but {} is found", text::quoted(word))))?;
     }
     Ok(header)
 }

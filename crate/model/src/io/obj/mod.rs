@@ -319,7 +319,7 @@ fn vertex(word: &str, line: usize, vertices: usize) -> Result<u64> {
         Ok(index) if index < 0 => (vertices as u64)
             .checked_sub(index.unsigned_abs())
             .ok_or_else(|| OBJ.line(line, format!("vertex {index} counts back beyond the {vertices} vertices so far"))),
-        _ => Err(OBJ.line(line, format!("{word:?} is not a vertex index; they count from 1"))),
+        _ => Err(OBJ.line(line, format!("{} is not a vertex index; they count from 1", text::quoted(word)))),
     }
 }
 

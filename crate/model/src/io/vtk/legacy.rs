@@ -37,7 +37,7 @@ pub fn read<'a>(budget: &'a Budget, bytes: &[u8]) -> Result<Piece<'a>> {
         let words: Vec<&str> = line.split_whitespace().collect();
         let keyword = words.first().map(|word| word.to_ascii_uppercase()).unwrap_or_default();
         let count = |place: usize| words.get(place).and_then(|word| word.parse::<usize>().ok());
-        let broken = || rest.broken(&format!("{:?} is no {keyword} statement", line.trim()));
+        let broken = || rest.broken(&format!("{} is no {keyword} statement", text::quoted(line.trim())));
         match keyword.as_str() {
             "DATASET" => check(words.get(1).copied().unwrap_or_default())?,
             "POINTS" => {
